@@ -6,6 +6,7 @@
 #include "lab/divergence_message.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
+#include "scene/step_limits.h"
 
 namespace hooke {
 namespace {
@@ -62,6 +63,9 @@ std::shared_ptr<const Snapshot> Lab::snapshot() {
   if (scene_.settings.substep() > snapshot->largest_stable_step) {
     const Scene& start = start_.scene() ? *start_.scene() : scene_;
     snapshot->recommended_margin = recommended_margin(start.system, start.state);
+    const Passage passage = shortest_passage(start.system, start.state);
+    snapshot->recommended_substeps =
+        recommended_substeps(plan_.spectrum, scene_.settings, snapshot->recommended_margin, passage).value_or(0);
   }
   snapshot->divergence = divergence_;
   return snapshot;

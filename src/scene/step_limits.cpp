@@ -33,6 +33,11 @@ double max_speed(const System& system, const State& state) {
   return max;
 }
 
+std::string describe(const Passage& passage) {
+  return "a point may pass the center of a force at " + quantity_text(passage.speed, "m/s", 2) + " and " +
+         quantity_text(passage.length, "m", 2);
+}
+
 // Whether the step is within the limit but for contact.
 bool is_short_without_contact(const Settings& settings, Spectrum spectrum) {
   spectrum.contact = spectrum.points_touch = false;
@@ -49,17 +54,33 @@ std::optional<int> min_stable_substeps(const Integrator& integrator, const Spect
   return std::max(1, static_cast<int>(substeps));
 }
 
-Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int margin) {
+std::optional<int> resolving_substeps(const Passage& passage, const Integrator& integrator, double frame_rate) {
+  const double substeps = std::ceil(1.0 / (frame_rate * longest_step(passage, integrator)) * (1.0 - 1e-9));
+  if (!(substeps <= max_substeps)) return std::nullopt;
+  return std::max(1, static_cast<int>(substeps));
+}
+
+std::optional<int> recommended_substeps(const Spectrum& spectrum, const Settings& settings, int margin, const Passage& passage) {
+  const auto limit = min_stable_substeps(*settings.integrator, spectrum, settings.frame_rate);
+  const auto resolving = resolving_substeps(passage, *settings.integrator, settings.frame_rate);
+  if (!limit || !resolving) return std::nullopt;
+  return std::max(with_margin(*limit, margin), *resolving);
+}
+
+Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int margin, const Passage& passage) {
   const Integrator& method = *settings.integrator;
+  const auto needed = [&](const Integrator& integrator) {
+    Settings other = settings;
+    other.integrator = &integrator;
+    return recommended_substeps(spectrum, other, margin, passage);
+  };
   // a method that amplifies every undamped mode also amplifies transverse motion, which dashpots do not damp
-  const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate);
-  if (limit && method.stability != Stability::None) {
-    if (settings.substeps < with_margin(*limit, margin)) return {&method, with_margin(*limit, margin)};
-    return {&method, std::min(max_substeps, 4 * settings.substeps)};
-  }
+  if (const auto substeps = needed(method); substeps && method.stability != Stability::None)
+    return {&method, settings.substeps < *substeps ? *substeps : std::min(max_substeps, 4 * settings.substeps)};
   const Integrator& fallback = default_integrator();
-  if (const auto substeps = min_stable_substeps(fallback, spectrum, settings.frame_rate))
-    return {&fallback, with_margin(*substeps, margin)};
+  if (const auto substeps = needed(fallback)) return {&fallback, *substeps};
+  // a passage that takes so many steps of the same length takes few that are adapted
+  if (!resolving_substeps(passage, fallback, settings.frame_rate)) return {&adaptive_integrator(), settings.substeps};
   // its limit is that of listed forces, which are part of the implicit system only in part
   const Integrator& stiff = stiff_integrator();
   const auto substeps = min_stable_substeps(stiff, spectrum, settings.frame_rate);
@@ -68,21 +89,27 @@ Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int 
 
 std::optional<std::string> step_warning(const System& system, const State& state, const Settings& settings) {
   const Spectrum spectrum = bound_spectrum(system, max_speed(system, state));
+  const Passage passage = shortest_passage(system, state);
   const Integrator& method = *settings.integrator;
-  if (settings.substep() <= largest_stable_step(method, spectrum)) return std::nullopt;
+  const bool is_within_limit = settings.substep() <= largest_stable_step(method, spectrum);
+  const auto resolving = resolving_substeps(passage, method, settings.frame_rate);
+  if (is_within_limit && resolving && settings.substeps >= *resolving) return std::nullopt;
 
   const std::string id(method.id);
   const int margin = recommended_margin(system, state);
-  const Advice advice = suggest_stepping(spectrum, settings, margin);
+  const Advice advice = suggest_stepping(spectrum, settings, margin, passage);
   if (const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate); limit && advice.integrator == &method) {
     // the bound of a listed force is that of its strongest point, which the scene may never reach
     const bool is_of_forces = std::hypot(spectrum.force_omega, spectrum.estimated_omega) > 0.5 * spectrum.omega;
-    const bool has_margin = *limit <= max_substeps / margin;
-    return "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id + " here: " +
+    const bool has_margin = is_within_limit || *limit <= max_substeps / margin;
+    const std::string recommended =
+        has_margin ? std::to_string(advice.substeps) + " are recommended" + consequence_of(advice.substeps, settings.substeps)
+                   : "no number of substeps has the recommended margin";
+    const std::string few = "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id + " here: ";
+    if (is_within_limit) return few + describe(passage) + "; " + recommended;
+    return few +
            (is_short_without_contact(settings, spectrum) ? "contact may cause growth with fewer than " : "its linear stability limit is ") +
-           count_substeps(*limit) + " per frame" + (is_of_forces ? " where the listed forces are strongest; " : "; ") +
-           (has_margin ? std::to_string(advice.substeps) + " are recommended" + consequence_of(advice.substeps, settings.substeps)
-                       : "no number of substeps has the recommended margin");
+           count_substeps(*limit) + " per frame" + (is_of_forces ? " where the listed forces are strongest; " : "; ") + recommended;
   }
   const std::string reason = method.stability == Stability::None
                                  ? "amplifies undamped motion at every step"

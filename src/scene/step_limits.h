@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/forces/passage.h"
 #include "sim/integrator.h"
 #include "sim/settings.h"
 #include "sim/system.h"
@@ -21,10 +22,17 @@ struct Advice {
 std::optional<int> min_stable_substeps(const Integrator& integrator, const Spectrum& spectrum, double frame_rate);
 
 // The current method with enough substeps or, if none are enough, another method. Not tested on the scene (study/remedy/remedy.h).
-// `margin`: recommended_margin of the state from which it runs.
-Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int margin = default_margin);
+// `margin`, `passage`: recommended_margin and shortest_passage of the state from which it runs.
+Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int margin = default_margin, const Passage& passage = {});
 
-// A warning about a step beyond the linear limit of the method on this scene: "FIELD: VALUE: ...", with names of the scene file.
+// The fewest substeps per frame with which the method resolves the passage, 1 without one; none if there are too many.
+std::optional<int> resolving_substeps(const Passage& passage, const Integrator& integrator, double frame_rate);
+
+// The fewest substeps per frame that are recommended with the current method; none if there are too many.
+std::optional<int> recommended_substeps(const Spectrum& spectrum, const Settings& settings, int margin, const Passage& passage);
+
+// A warning about a step beyond the linear limit of the method on this scene, or too long for the passage of a point through the core of a
+// force: "FIELD: VALUE: ...", with names of the scene file.
 std::optional<std::string> step_warning(const System& system, const State& state, const Settings& settings);
 
 // A warning about the fastest of the colliders whose oscillations are not resolved by the steps: "colliders[0].frequency: 240: ...".

@@ -62,6 +62,8 @@ const Integrator& default_integrator() { return velocity_verlet; }
 
 const Integrator& stiff_integrator() { return tr_bdf2; }
 
+const Integrator& adaptive_integrator() { return dop853; }
+
 Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator) {
   const double damping = oscillator.h_lambda + oscillator.h_drag + oscillator.h_rate;
   const double discriminant = 0.25 * damping * damping - oscillator.h_omega_squared, size = std::sqrt(std::abs(discriminant));

@@ -103,6 +103,9 @@ const Integrator* find_integrator(std::string_view id);
 // The method for scenes so stiff that the default one would need more substeps than are allowed.
 const Integrator& stiff_integrator();
 
+// The method for motion that takes very short steps in small parts of it.
+const Integrator& adaptive_integrator();
+
 // Amplification of a Runge-Kutta method with the stability function `r`: the eigenvalues of a step are r(h s) at the two
 // roots s of s^2 + (lambda + c) s + omega^2.
 Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator);

@@ -13,6 +13,7 @@
 #include "sim/automatic/selection.h"
 #include "sim/automatic/turning.h"
 #include "sim/contact/contact.h"
+#include "sim/forces/passage.h"
 #include "sim/frame_error.h"
 #include "sim/portable_math.h"
 
@@ -230,6 +231,14 @@ void limit_to_stable(MethodChoice& choice, int min_before, int order) {
   choice.next_substeps = choice.substeps = std::max(choice.substeps, choice.min_substeps);
 }
 
+// The substeps that resolve the passage of a point through the core of a force within the frame, as far as they are affordable; those of
+// the choice without one.
+int substeps_of_passage(const Passage& passage, const MethodChoice& choice, const Settings& settings, const Goal& goal) {
+  const double affordable = std::min<double>(max_automatic_substeps, choice.substeps * goal.max_cost / choice.cost);
+  const double resolving = std::ceil(1.0 / (settings.frame_rate * longest_step(passage, *choice.method)));
+  return std::max(choice.substeps, static_cast<int>(std::min(resolving, affordable)));
+}
+
 // Whether something strikes something else or springs break in the coming frame, which is computed for that and kept.
 bool strikes(Trials& trials, const MethodChoice& choice, const Settings& settings, double max_error) {
   Settings trial = settings;
@@ -330,9 +339,14 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
     const bool has_hand = plan.held || plan.pull || plan.grabbed_collider;
     const bool is_beyond = !is_tolerance_met(choice, settings);  // which is reported: try again when the next estimate is due
     const bool is_breaking = is_about_to_break(plan, state, frame);
+    // the frames before do not show what happens in it, nor do those after: their substeps are for it alone
+    const Passage passage = shortest_passage(system, state, frame);
+    const bool passes = passage.speed > 0.0;
+    const int substeps_before = choice.substeps;
+    if (passes) choice.substeps = substeps_of_passage(passage, choice, settings, begin());
     is_event = !is_beyond && (is_event || is_breaking);
     const bool whips = !is_beyond && is_whipping(choice, turning);
-    const bool is_due = is_edited || is_event || choice.until_estimate <= 0 || whips;
+    const bool is_due = is_edited || is_event || choice.until_estimate <= 0 || whips || passes;
     if (!is_due && (plan.has_contact() || !plan.break_length.empty()) && !is_beyond) {
       begin();
       is_event = strikes(*trials_, choice, settings, target);
@@ -341,8 +355,10 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
     const bool is_sudden = is_event || is_edited;
     // without another comparison where the error grows for every method, and none has a higher order
     constexpr int max_order = 4;
-    const double max_increase = has_hand || (whips && effective_order(system, *choice.method) >= max_order) ? 5.0 : 2.0;
-    if (choice.until_selection <= 0 && !is_sudden && !has_hand && !is_beyond) {
+    const double max_increase = passes ? std::numeric_limits<double>::infinity()
+                                : has_hand || (whips && effective_order(system, *choice.method) >= max_order) ? 5.0
+                                                                                                              : 2.0;
+    if (choice.until_selection <= 0 && !is_sudden && !has_hand && !is_beyond && !passes) {
       // cheaper methods are tried now and then: what ruled them out may have been the start of the motion
       const MethodChoice present = choice;
       select(&present, Present::Known, false);
@@ -354,6 +370,10 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
     } else if (!follow(choice, *trials_, plan, system, settings, begin(), is_sudden, is_breaking, max_increase)) {
       const MethodChoice present = choice;
       select(&present, Present::ToBeMeasured, is_sudden);
+    }
+    if (passes && choice.method == last.method) {
+      choice.next_substeps = substeps_before;
+      choice.until_estimate = choice.period = 1;
     }
     choice.breaks = choice.breaks || (is_beyond && is_breaking);
     const bool is_estimated = is_due || is_event;

@@ -14,6 +14,8 @@ namespace hooke {
 
 class ForceTangent;
 class System;
+struct Passage;
+struct PassingPoint;
 struct Plan;
 
 // One of the values of a parameter that is not a number.
@@ -86,6 +88,8 @@ struct ForceTerm {
   bool (*depends_on_time)(const ForceValues& values) = nullptr;
   // Null: that of a force that is constant or linear in the position of its point.
   ForceCost (*cost)(const Plan& plan, const ForceValues& values) = nullptr;
+  // The passage of a point through a small region in which the force is strongest (passage.h). Null: there is none.
+  Passage (*passage)(const ForceValues& values, const PassingPoint& point) = nullptr;
   // Packs into the Plan, which has the points and faces, what else it needs of the System. Null: nothing.
   void (*prepare)(const System& system, Plan& plan) = nullptr;
 };

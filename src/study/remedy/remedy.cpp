@@ -127,20 +127,29 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
 }
 
 // Settings to try, the most likely and cheapest first: the current method and then the default one, each with ever smaller steps, then the
-// methods that are stable at any step, and those that choose their steps.
+// methods that are stable at any step, and those that choose their steps: these first where no number of substeps resolves a passage.
 std::vector<Advice> candidates(const Scene& start) {
   const Settings& settings = start.settings;
   const Spectrum spectrum = bound_spectrum(start.system);
   const int margin = recommended_margin(start.system, start.state);
+  const Passage passage = shortest_passage(start.system, start.state);
   std::vector<Advice> list;
   const auto add_refinements = [&](const Integrator& method, int min_substeps) {
     const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate);
-    if (!limit || method.stability == Stability::None) return;
+    const auto resolving = resolving_substeps(passage, method, settings.frame_rate);
+    if (!limit || !resolving || method.stability == Stability::None) return;
     constexpr int refinements = 5;
-    double substeps = std::max<double>(min_substeps, static_cast<double>(margin) * *limit);
+    double substeps = std::max({static_cast<double>(min_substeps), static_cast<double>(margin) * *limit, static_cast<double>(*resolving)});
     for (int i = 0; i < refinements && substeps <= max_substeps; ++i, substeps *= 2.0)
       list.push_back({&method, static_cast<int>(substeps)});
   };
+  const auto add_adaptive = [&] {
+    for (const Integrator& method : integrators())
+      if (method.stability == Stability::Adaptive && method.for_production && &method != settings.integrator)
+        list.push_back({&method, settings.substeps});
+  };
+  const bool is_for_adaptive = !resolving_substeps(passage, default_integrator(), settings.frame_rate);
+  if (is_for_adaptive) add_adaptive();
   if (!is_automatic(settings)) add_refinements(*settings.integrator, 2 * std::min(settings.substeps, max_substeps / 2));
   if (settings.integrator != &default_integrator()) add_refinements(default_integrator(), settings.substeps);
   for (const Integrator& method : integrators()) {
@@ -151,9 +160,7 @@ std::vector<Advice> candidates(const Scene& start) {
       numbers.push_back(std::min(max_substeps, 2 * *limit));
     for (const int substeps : numbers) list.push_back({&method, substeps});
   }
-  for (const Integrator& method : integrators())
-    if (method.stability == Stability::Adaptive && method.for_production && &method != settings.integrator)
-      list.push_back({&method, settings.substeps});
+  if (!is_for_adaptive) add_adaptive();
   return list;
 }
 

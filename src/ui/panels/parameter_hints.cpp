@@ -70,12 +70,22 @@ void step_remark(const Snapshot& snapshot) {
       "Highest angular frequency of the scene times the step. Beyond the limit of the method, the simulation can blow up.";
   if (anything && limit > 0.0 && fraction > 1.0) {
     // the substeps that are needed, and why more are recommended
-    const double needed = std::ceil(1.0 / (snapshot.settings.frame_rate * limit)), recommended = snapshot.recommended_margin * needed;
-    description = text + ". The linear stability limit is " + number_text(needed) + " substeps per frame; " + number_text(recommended) +
-                  " are recommended: " + std::to_string(snapshot.recommended_margin) +
-                  " times as many, a measured margin for springs that stretch and rotate far.";
+    const double needed = std::ceil(1.0 / (snapshot.settings.frame_rate * limit)), with_margin = snapshot.recommended_margin * needed;
+    const double recommended = snapshot.recommended_substeps;
+    const std::string times = std::to_string(snapshot.recommended_margin);
+    description = text + ". The linear stability limit is " + number_text(needed) + " substeps per frame; ";
+    if (recommended == 0.0) {
+      description += "too many are needed where points pass the center of a force. A method that adapts its steps is recommended.";
+      short_text = "use " + std::string(adaptive_integrator().id);
+    } else if (recommended > with_margin) {
+      description += number_text(recommended) + " are recommended, which resolve how fast points pass the center of a force.";
+      short_text = "use " + number_text(recommended);
+    } else {
+      description += number_text(recommended) + " are recommended: " + times +
+                     " times as many, a measured margin for springs that stretch and rotate far.";
+      short_text = "use " + number_text(recommended) + " (" + times + "\u00d7)";
+    }
     name = "linear limit " + number_text(needed);
-    short_text = "use " + number_text(recommended) + " (" + std::to_string(snapshot.recommended_margin) + "\u00d7)";
     text = "recommended " + short_text.substr(4);
   }
   remark(name, text, description, text_color, anything && fraction > 0.8 ? text_color : palette::dim, short_text);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/forces/force_tangent.h"
+#include "sim/forces/passage.h"
 #include "sim/forces/terms/center_kernel.h"
 #include "sim/forces/terms/power_law.h"
 #include "sim/forces/terms/rows.h"
@@ -120,6 +121,42 @@ double potential(const Plan& plan, const ForceValues& values, double, const doub
   return energy;
 }
 
+// Through the core, or past the center at the distance that the angular momentum allows. Up to p = -1 the acceleration increases with the
+// distance, in the core too, and nothing is steeper there.
+Passage passage(const ForceValues& values, const PassingPoint& point) {
+  const Law law = law_of(values);
+  if (law.power <= -1.0) return {};
+  const Vec3 offset = point.position - Vec3(values[0], values[1], values[2]);
+  const double r = glm::length(offset), strength = values[3];
+  const double kinetic = 0.5 * glm::dot(point.velocity, point.velocity) + point.elastic + point.gravity * r;
+  const double momentum = point.is_alone ? glm::length(glm::cross(offset, point.velocity)) : 0.0;
+  const double potential = law.potential(r);
+  const auto speed_at = [&](double distance) {
+    return std::sqrt(std::max(0.0, 2.0 * (kinetic + strength * (potential - law.potential(distance)))));
+  };
+
+  // it takes longer than at the speed that it reaches at half the distance
+  const double near = std::max(0.5 * r, law.core);
+  if (r > near && (r - near) > point.within * std::max(speed_at(r), speed_at(near))) return {};
+
+  // the closest distance, or a little more: r v(r) >= L
+  double closest = law.core;
+  const auto is_reached = [&](double distance) { return speed_at(distance) > 0.0 && distance * speed_at(distance) >= momentum; };
+  if (r > law.core && !is_reached(law.core)) {
+    double low = law.core;
+    closest = r;
+    for (int i = 0; i < 20; ++i) {
+      const double middle = std::sqrt(low * closest);
+      (is_reached(middle) ? closest : low) = middle;
+    }
+  }
+  const bool in_core = closest == law.core;
+  return {.speed = std::max(speed_at(in_core ? 0.0 : closest), speed_at(r)),
+          .length = closest,
+          .acceleration = std::abs(strength) * portable::pow(closest, -law.power) * (in_core ? std::max(law.alpha(), 1.0) : 1.0),
+          .energy = kinetic + std::abs(strength) * law.over_distance(r) * r};
+}
+
 }  // namespace
 
 constinit const ForceTerm center_force{
@@ -135,6 +172,7 @@ constinit const ForceTerm center_force{
     .potential = potential,
     .power = nullptr,
     .cost = [](const Plan&, const ForceValues& values) { return cost_of_power_law(values[4], 1.0); },
+    .passage = passage,
 };
 
 }  // namespace hooke

@@ -1,0 +1,39 @@
+// How fast points pass through the small regions in which listed forces are strongest. The step must resolve that too, and no frequency
+// of small oscillations describes it.
+#pragma once
+
+#include <limits>
+
+#include "base/types.h"
+#include "sim/state.h"
+#include "sim/system.h"
+
+namespace hooke {
+
+struct Integrator;
+
+// A point before its passage.
+struct PassingPoint {
+  Vec3 position{0.0}, velocity{0.0};
+  double gravity = 0.0;   // [m/s^2]
+  double elastic = 0.0;   // [J/kg], of its springs, which it may get as kinetic energy
+  bool is_alone = false;  // nothing but this force acts on it, which keeps its angular momentum about the center
+  double within = std::numeric_limits<double>::infinity();  // [s], in which the passage must begin to count
+};
+
+// Estimates from the energy of the point, which others do not increase.
+struct Passage {
+  double speed = 0.0;         // [m/s], the highest; 0: none
+  double length = 0.0;        // [m], over which the force changes
+  double acceleration = 0.0;  // [m/s^2], by the force there, the highest
+  double energy = 0.0;        // [J/kg], of the motion far from there, which is little where a point falls deep
+};
+
+// The one that takes the shortest steps of all points that are not nailed, of those that may begin within so many seconds.
+Passage shortest_passage(const System& system, const State& state, double within = std::numeric_limits<double>::infinity());
+
+// [s], the longest step with which the method gets the point through with an energy that is wrong by less than about a hundredth of that of
+// its motion far from there. Infinity: there is no passage, or the method adapts its step.
+double longest_step(const Passage& passage, const Integrator& integrator);
+
+}  // namespace hooke
