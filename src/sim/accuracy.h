@@ -52,6 +52,7 @@ struct Accuracy {
   Measured predictable;  // [s], until small errors have grown to a tenth of the size; infinity: no exponential growth
 
   EnergyBalance energy;
+  double energy_scale = 0.0;  // [J], all that was supplied: what the gain or loss by the method is relative to; 0: not measured
 
   // What half the error needs: the number of substeps or the tolerance, and the time a frame takes relative to now [1]
   int half_error_substeps = 0;

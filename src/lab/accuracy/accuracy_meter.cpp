@@ -99,6 +99,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   is_smooth_ = is_smooth_ && !touches_ && !ignores_tolerance_ && !has_broken_ && !plan.held && !plan.pull;
   is_aliased_ = is_aliased_ || !resolves_colliders(plan, settings_used(settings, after));
   energy_.add_frame(plan, system, before, after, motion, energy);
+  energy_scale_ = after.ledger.scale;
   max_kinetic_ = std::max(max_kinetic_, kinetic_energy(system, after));
 
   ++frames_since_repetition_;
@@ -213,7 +214,11 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
 }
 
 Accuracy AccuracyMeter::accuracy(const Settings& settings) const {
-  Accuracy accuracy{.is_on = mode_ != AccuracyMode::Off, .size = size_, .energy = is_started_ ? energy_.balance() : EnergyBalance{}};
+  Accuracy accuracy{.is_on = mode_ != AccuracyMode::Off, .size = size_};
+  if (is_started_) {
+    accuracy.energy = energy_.balance();
+    accuracy.energy_scale = energy_scale_;
+  }
   if (!accuracy.is_on) {
     for (Measured* each : {&accuracy.frame, &accuracy.frame_max, &accuracy.accumulated, &accuracy.amplification, &accuracy.growth_rate,
                            &accuracy.predictable})

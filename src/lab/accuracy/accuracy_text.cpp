@@ -37,12 +37,26 @@ std::string largest_error_text(const Accuracy& accuracy) {
          part_of_motion_text(accuracy.max_accumulated / accuracy.motion);
 }
 
+// The energy that the method gained or lost above this part of the supplied energy makes averages wrong, too: the limit of RunMonitor.
+constexpr double max_energy_error = 0.02;
+
+bool has_wrong_energy(const Accuracy& accuracy) {
+  return accuracy.energy_scale > 0.0 && !(std::abs(accuracy.energy.method) <= max_energy_error * accuracy.energy_scale);
+}
+
+// What can be said where the positions cannot be predicted.
+std::string meaning_of_averages(const Accuracy& accuracy) {
+  if (!has_wrong_energy(accuracy)) return "only averages are meaningful";
+  return "not even averages are meaningful, because the method has " + std::string(accuracy.energy.method < 0.0 ? "lost " : "gained ") +
+         number_text(100.0 * std::abs(accuracy.energy.method) / accuracy.energy_scale, 2) + " % of the energy supplied";
+}
+
 // A tolerance with which the error would be about a hundredth of the motion: one digit, within the range of the slider. None helps much
 // where small differences grow, or where the error hardly falls with the step; with contact or a hand, what half the error takes.
 std::string remedy_of(const Accuracy& accuracy, const Settings& settings) {
-  if (accuracy.growth_rate.value.value_or(0.0) > 0.0) return "small differences grow, so that only averages are meaningful";
+  if (accuracy.growth_rate.value.value_or(0.0) > 0.0) return "small differences grow, so that " + meaning_of_averages(accuracy);
   if (accuracy.half_error_reason == half_step_does_not_help)
-    return std::string(half_step_does_not_help) + ", so that only averages are meaningful";
+    return std::string(half_step_does_not_help) + ", so that " + meaning_of_averages(accuracy);
   if (!accuracy.is_smooth) {
     const std::string cost = cost_text(accuracy);
     return !cost.empty() ? cost : "no setting with a smaller error is known, because of contact, a strain limit or the hand";
@@ -53,8 +67,8 @@ std::string remedy_of(const Accuracy& accuracy, const Settings& settings) {
   if (is_automatic(settings)) tolerance = std::min(tolerance, 0.1 * automatic_tolerance(settings));
   tolerance = std::clamp(tolerance, min, max);
   const double unit = std::pow(10.0, std::floor(std::log10(tolerance)));
-  const std::string text =
-      "a tolerance of " + quantity_text(unit * std::floor(tolerance / unit * (1.0 + 1e-9)), "m/s", 1) + " is recommended";
+  const std::string text = "a tolerance of " + quantity_text(unit * std::floor(tolerance / unit * (1.0 + 1e-9)), "m/s", 1) +
+                           " may be enough, which is not tested";
   return is_automatic(settings) ? text : "auto with " + text;
 }
 
@@ -79,7 +93,7 @@ std::string error_text(const Measured& error, double size) {
 std::string predictability_text(const Accuracy& accuracy) {
   if (!accuracy.predictable.value) return std::string(accuracy.predictable.reason);
   if (!std::isfinite(*accuracy.predictable.value)) return "predictable: small differences do not grow exponentially";
-  if (*accuracy.predictable.value < min_predictable) return "chaotic: only averages are meaningful";
+  if (*accuracy.predictable.value < min_predictable) return "chaotic: " + meaning_of_averages(accuracy);
   return "predictable for about " + number_text(*accuracy.predictable.value, 2) + " s more";
 }
 
@@ -120,7 +134,7 @@ std::optional<std::string> accumulated_warning(const Accuracy& accuracy, const S
     case Loss::None:
       break;
     case Loss::Unpredictable:
-      return "the positions are " + std::string(accuracy.accumulated.reason) + ": only averages are meaningful";
+      return "the positions are " + std::string(accuracy.accumulated.reason) + ": " + meaning_of_averages(accuracy);
     case Loss::Dissipated:
     case Loss::HalfStepDiverged:
     case Loss::Unresolved:
