@@ -7,6 +7,7 @@
 #include "sim/energy.h"
 #include "support/convergence.h"
 #include "support/folds.h"
+#include "support/random_scene.h"
 
 namespace hooke {
 namespace {
@@ -71,6 +72,55 @@ TEST(ContactStep, EnergyDoesNotGrowWithinTheLimitAndGrowsFarBeyondIt) {
   }
   const double limit = largest_stable_step(method("tr_bdf2"), bound_spectrum(sim.system));
   EXPECT_GT(energy_rise(sim, method("tr_bdf2"), 8.0 * limit), 1.0);
+}
+
+// A net of 6 x 6 points, tilted at random, that falls on a plane or on a ball and slides there.
+TestSim sliding_net(std::uint64_t seed) {
+  Random random(seed);
+  TestSim sim;
+  constexpr int n = 6;
+  constexpr double a = 0.1;
+  const double stiffness = std::pow(10.0, random.uniform(2.0, 4.0)), friction = std::pow(10.0, random.uniform(-1.0, 0.3));
+  const Vec3 along(random.uniform(0.7, 1.0), random.uniform(-0.3, 0.3), 0.0),
+      across(0.0, random.uniform(-0.3, 0.3), random.uniform(0.7, 1.0));
+  const Vec3 velocity(random.uniform(-1.0, 1.0), random.uniform(-1.0, 0.0), random.uniform(-1.0, 1.0));
+  std::vector<PointId> points;
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column)
+      points.push_back(
+          sim.add(a * ((column - 2.5) * along + (row - 2.5) * across) + Vec3(0.0, 0.3, 0.0), random.uniform(0.01, 0.03), velocity));
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column) {
+      const PointId here = points[row * n + column];
+      if (column + 1 < n) sim.join(here, points[row * n + column + 1], stiffness, a);
+      if (row + 1 < n) sim.join(here, points[(row + 1) * n + column], stiffness, a);
+      if (column + 1 < n && row + 1 < n) sim.join(here, points[(row + 1) * n + column + 1], 0.5 * stiffness, a * std::sqrt(2.0));
+    }
+  if (random.one_in(2))
+    sim.system.colliders = {{.shape = Plane{}, .friction = friction}};
+  else
+    sim.system.colliders = {{.shape = Sphere{{0.0, -0.8, 0.0}, 0.8}, .friction = friction}};
+  return sim;
+}
+
+class SlidingNets : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, SlidingNets, testing::ValuesIn(every_method()), method_name);
+
+// With symplectic Euler's velocity but not its path, x' = x + h (v + v') / 2, vibrations along the surface would grow without bound.
+TEST_P(SlidingNets, GainNoEnergyUnderFriction) {
+  if (method().energy == EnergyTrend::Grows) return;  // without contact, too
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    TestSim sim = sliding_net(seed);
+    const double limit = largest_stable_step(method(), bound_spectrum(sim.system)), h = std::min(0.5 * limit, 1.0 / 240.0);
+    const double start = compute_energy(sim.system, sim.state).total(), scale = reference_energy(sim.system, sim.state);
+    double highest = start;
+    for (double time = 0.0; time < 0.8; time += 4.0 * h) {
+      sim.run(method(), 4.0 * h, 4);
+      const double energy = compute_energy(sim.system, sim.state).total();
+      highest = std::isfinite(energy) ? std::max(highest, energy) : 1e9;
+    }
+    EXPECT_LT(highest - start, 0.02 * scale) << seed;
+  }
 }
 
 // Bars whose ends are balls, on a heap in a bin.

@@ -79,16 +79,19 @@ class PointPass {
   };
 
   PointPass(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h)
-      : plan_(plan), obstacles_(obstacles), before_(before), motion_(motion), h_(h), n_(static_cast<std::size_t>(plan.points)) {}
+      : plan_(plan), obstacles_(obstacles), before_(before), motion_(motion), h_(h), n_(static_cast<std::size_t>(plan.points)) {
+    const auto has_friction = [](const Obstacle& obstacle) { return obstacle.collider->friction > 0.0; };
+    keeps_path_ = before.friction_lag != 0.0 && std::ranges::any_of(obstacles, has_friction);
+  }
 
   static constexpr std::size_t block = RestingPoints::max;
 
   // The points of a block. Leaves those Open that start inside an obstacle: they are solved by solve_open_points.
   void solve_block(std::size_t number, Touches& touches) const {
     const std::size_t first = number * block, end = std::min(n_, first + block);
-    // most points that touch rest or slide: these at once
+    // most points that touch rest or slide: these at once, but for those that keep the path of the method under friction
     RestingPoints resting{.outcome = before_.outcome.data() + first, .work = before_.work.data() + first};
-    if (!plan_.pairs.on && !plan_.colliders_move) {
+    if (!plan_.pairs.on && !plan_.colliders_move && !keeps_path_) {
       solve_resting_points(plan_, h_, first, end, before_.x, before_.v, motion_.x, motion_.v, resting);
       if (resting.any_solved) touches.first_touch = 0.0;
     } else {
@@ -143,7 +146,7 @@ class PointPass {
 
     // the parabola through both positions with the mean acceleration of the step: its velocity starts ahead of v0
     const Vec3 a = (v1 - v0) / h_, velocity_correction = without_rounding(plan_, (x1 - x0) / h_ - v0 - 0.5 * h_ * a, x0, h_);
-    PointContactSolver solver(obstacles_, radius, x0, v0);
+    PointContactSolver solver(obstacles_, radius, x0, v0, before_.friction_lag);
     if (!solver.advance(a, velocity_correction, h_)) return RestingPoints::Free;
     if (solver.push_out != Vec3(0.0)) {
       if (pushed == nullptr) return RestingPoints::Open;
@@ -172,6 +175,7 @@ class PointPass {
   Motion& motion_;
   double h_;
   std::size_t n_;
+  bool keeps_path_;  // x' = x + h v' under friction
 };
 
 // Adds the work of the contact, in addition to the work of the forces.

@@ -14,13 +14,16 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
   constrain(supports.all(), a, v);
   touched = apply_velocity_correction(velocity_correction, supports) || touched;
 
-  const Vec3 start_velocity = v;
+  Vec3 start_velocity = v;
   double remaining = duration;
   for (int segments = 0; remaining > 0.0 && segments < max_path_segments; ++segments) {
     supports = find_supports(a, remaining);
-    Segment segment = plan_segment(supports, a, remaining);
+    Segment segment = plan_segment(supports, a, remaining, segments == 0 ? friction_lag_ : 0.0);
     const Vec3 start = x;
     if (segment.sticks) v = segment.support.surface;
+    v += segment.velocity_correction;
+    velocity_correction_ += segment.velocity_correction;
+    start_velocity += segment.velocity_correction;
     const double speed = glm::length(v - segment.support.surface);
     const Obstacle* hit = advance_segment(segment, supports);
     remaining -= segment.time;
@@ -86,7 +89,8 @@ Supports PointContactSolver::find_supports(const Vec3& a, double duration) const
 }
 
 // A flight, and a slide without friction, start with the velocity of the method's path, but never into what the point touches.
-// A point at rest, or under friction, starts with its own velocity: the correction comes from forces that the supports balance.
+// A point at rest, or under friction, starts with its own velocity: the correction comes from forces that the supports balance (that of a
+// symplectic method follows from the forces that remain, in plan_segment).
 // It follows the correction of its support. Returns whether any part was left out.
 bool PointContactSolver::apply_velocity_correction(const Vec3& velocity_correction, const Supports& supports) {
   applies_correction_ = true;
@@ -115,10 +119,13 @@ bool is_about_to_stop(double speed, double margin, double remaining, const Vec3&
 
 }  // namespace
 
-// Friction of mu N opposes the motion relative to the surface or, without such motion, the driving force up to its magnitude.
-PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports, const Vec3& a, double remaining) const {
+// Friction of mu N opposes the motion relative to the surface or, without such motion, the driving force up to its magnitude. With a
+// `friction_lag`, the motion is the method's own for the rest of the step: with x' = x + h (v + v') / 2 from forces at x, as a point under
+// friction would move otherwise, vibrations along the surface grow by (h omega)^2 / 2 of their energy in each step.
+PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports, const Vec3& a, double remaining,
+                                                             double friction_lag) const {
   const Vec3 constrained = constrain(supports.all(), a, v);
-  Segment segment{constrained, remaining, false, false, {}};
+  Segment segment{constrained, remaining, false, false, {}, Vec3(0.0)};
   if (!supports.any_loaded()) return segment;
 
   double max_friction = 0.0;  // [m/s^2]
@@ -134,7 +141,18 @@ PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports,
   const Vec3 slip_velocity = v - carrier.surface;
   const double speed = glm::length(slip_velocity), required_friction = glm::length(tangential_drive - surface_acceleration);
   const double min_speed = carrier.surface == Vec3(0.0) ? 0.0 : 1e-12 * (glm::length(v) + glm::length(carrier.surface));
-  if (speed <= min_speed || is_about_to_stop(speed, max_friction - required_friction, remaining, x)) {
+  if (friction_lag != 0.0 && max_friction > 0.0) {
+    // v' = v + h (d - mu N v' / |v'|) with the drive d, and x' = x + h v'
+    const Vec3 drive_on_surface = tangential_drive - surface_acceleration, driven = slip_velocity + remaining * drive_on_surface;
+    const double driven_speed = glm::length(driven), speed_loss = remaining * max_friction;
+    segment.sticks = driven_speed <= speed_loss + 1e-12 * remaining * glm::length(a);
+    segment.acceleration = surface_acceleration;
+    if (!segment.sticks) {
+      const Vec3 change = remaining * drive_on_surface - speed_loss / driven_speed * driven;
+      segment.acceleration += change / remaining;
+      segment.velocity_correction = friction_lag * change;
+    }
+  } else if (speed <= min_speed || is_about_to_stop(speed, max_friction - required_friction, remaining, x)) {
     segment.sticks = required_friction <= max_friction + 1e-12 * glm::length(a);
     segment.acceleration =
         segment.sticks ? surface_acceleration

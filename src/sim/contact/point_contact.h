@@ -23,8 +23,9 @@ class PointContactSolver {
   // loss.
   double gained = 0.0;
 
-  PointContactSolver(std::span<const Obstacle> obstacles, double radius, const Vec3& x0, const Vec3& v0)
-      : x(x0), v(v0), obstacles_(obstacles), radius_(radius) {}
+  // `friction_lag` [1]: 0, or the velocity lag of a method (integrator.h) whose path is kept under friction, too.
+  PointContactSolver(std::span<const Obstacle> obstacles, double radius, const Vec3& x0, const Vec3& v0, double friction_lag = 0.0)
+      : x(x0), v(v0), obstacles_(obstacles), radius_(radius), friction_lag_(friction_lag) {}
 
   // Advances by `duration` with the acceleration `a`. `velocity_correction` [m/s]: of the method's path, relative to v at its start.
   // Returns whether anything was touched.
@@ -34,16 +35,17 @@ class PointContactSolver {
   // A part of the path with constant acceleration: supports and friction do not change.
   struct Segment {
     Vec3 acceleration;
-    double time;      // [s]
-    bool stops;       // at the end, under friction
-    bool sticks;      // to its support, and moves with it
-    Support support;  // that it rests on or slides on, the mean of several; none: no obstacle
+    double time;               // [s]
+    bool stops;                // at the end, under friction
+    bool sticks;               // to its support, and moves with it
+    Support support;           // that it rests on or slides on, the mean of several; none: no obstacle
+    Vec3 velocity_correction;  // [m/s], at its start
   };
 
   bool resolve_penetration();
   Supports find_supports(const Vec3& a, double duration) const;
   bool apply_velocity_correction(const Vec3& velocity_correction, const Supports& supports);
-  Segment plan_segment(Supports& supports, const Vec3& a, double remaining) const;
+  Segment plan_segment(Supports& supports, const Vec3& a, double remaining, double friction_lag) const;
   const Obstacle* advance_segment(Segment& segment, const Supports& supports);
   void follow_surface(const Segment& segment, const Vec3& start, const Vec3& a);
   void project_onto_supports(const Supports& supports);
@@ -60,8 +62,9 @@ class PointContactSolver {
 
   std::span<const Obstacle> obstacles_;
   double radius_;
-  double time_ = 0.0;                // [s], since the start of the step
-  Vec3 velocity_correction_{0.0};    // [m/s], contained in v
+  double time_ = 0.0;              // [s], since the start of the step
+  Vec3 velocity_correction_{0.0};  // [m/s], contained in v
+  double friction_lag_;
   bool applies_correction_ = false;  // whether v and the velocities of obstacles contain their corrections
 };
 
