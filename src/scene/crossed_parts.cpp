@@ -23,7 +23,7 @@ void find_surfaces(const System& system, PlacedSurface& surface, CrossedParts& p
   if (!plan.on) return;
   const auto id_of = [&, &points = plan.points](Index point) { return system.points()[points[point]].id; };
   if (system.dimensions == 3) {
-    const auto [crossings, is_complete] = tree.find_crossings(place);
+    const auto [crossings, is_complete] = tree.find_crossings(plan, place);
     parts.is_complete = is_complete;
     for (const auto& [edge, face] : crossings) {
       const auto& [p, q] = plan.edges[edge];

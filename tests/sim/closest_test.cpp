@@ -116,7 +116,7 @@ TEST(Crossings, AreThoseOfTheIndependentCount) {
   tree.build(plan, sim.state.position);
   const long count = CrossingCounter(sim.system).count(sim.state.position);
   EXPECT_GT(count, 20);
-  EXPECT_EQ(static_cast<long>(tree.find_crossings(sim.state.position).found.size()), count);
+  EXPECT_EQ(static_cast<long>(tree.find_crossings(plan, sim.state.position).found.size()), count);
 }
 
 // A flat sheet in any direction does not pass through itself by rounding.
@@ -131,7 +131,7 @@ TEST(Crossings, AreNotFoundInFlatSheets) {
     const SurfacePlan plan = plan_surface(sim.system);
     SurfaceTree tree;
     tree.build(plan, sim.state.position);
-    EXPECT_TRUE(tree.find_crossings(sim.state.position).found.empty());
+    EXPECT_TRUE(tree.find_crossings(plan, sim.state.position).found.empty());
   }
 }
 

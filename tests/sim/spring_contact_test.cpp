@@ -89,6 +89,23 @@ TEST(SpringContact, ThroughAFaceLeavesFacesApart) {
   }
 }
 
+// Springs of a jelly pass the edges of faces that others join to them. That switches nothing off: their points do not follow.
+TEST(SpringContact, ThroughAFaceThatAnotherJoinsLeavesItsPointsApart) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  const PointId corner = sim.nail({-1.0, 0.0, -1.0}), outer = sim.nail({0.0, 1.0, 0.0});
+  sim.system.faces.push_back({.points = {corner, sim.nail({1.0, 0.0, -1.0}), sim.nail({0.0, 0.0, 1.0})}});
+  const PointId inner = sim.add({0.02, -0.1, -0.05}, 1.0, {0.0, 1.0, 0.0});
+  sim.join(outer, inner, 0.1, 1.1);
+  sim.join(outer, corner, 0.1, 1.7);
+  sim.system.contact = {.springs = true, .faces = true, .thickness = 0.004};
+  for (const Integrator* method : every_method()) {
+    TestSim each = sim;
+    for (int i = 0; i < 12; ++i) each.run(*method, 1.0 / 60.0, 8);
+    EXPECT_LT(each.position(inner).y, 0.0) << method->id;
+  }
+}
+
 TEST(SpringContact, ConservesLinearMomentum) {
   TestSim sim;
   sim.system.gravity = Vec3(0.0);

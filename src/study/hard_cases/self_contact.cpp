@@ -53,7 +53,7 @@ class CrossingCount {
     for (const Index i : plan_.points) place_.push_back(state.position[i]);
     SurfaceTree tree;
     tree.build(plan_, place_);
-    return tree.find_crossings(place_).found.size();
+    return tree.find_crossings(plan_, place_).found.size();
   }
 
  private:

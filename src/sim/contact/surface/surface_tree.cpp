@@ -30,6 +30,13 @@ bool passes_through(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, 
   return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
 }
 
+// Whether any spring joins a point of one to one of the other.
+bool are_joined(const SurfacePlan& plan, const EdgeEnds& edge, std::span<const Index> face) {
+  return std::ranges::any_of(edge, [&](Index i) {
+    return std::ranges::any_of(face, [&](Index j) { return std::ranges::binary_search(plan.joined, edge_ends(i, j)); });
+  });
+}
+
 }  // namespace
 
 // Without branches between the components, which would be mispredicted.
@@ -305,7 +312,7 @@ bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, d
   return pairs.size() <= max_pairs;
 }
 
-Crossings SurfaceTree::find_crossings(std::span<const Vec3> x) const {
+Crossings SurfaceTree::find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const {
   Crossings crossings;
   if (nodes_.empty()) return crossings;
   constexpr std::size_t max_tests = 20'000'000;
@@ -318,7 +325,8 @@ Crossings SurfaceTree::find_crossings(std::span<const Vec3> x) const {
       const auto [j, k] = edge_ends_[i];
       const auto [a, b, c] = piece_points_[p];
       const bool shares_point = (j == a) | (j == b) | (j == c) | (k == a) | (k == b) | (k == c);
-      if (!shares_point && is_face_[p] != 0 && passes_through(x[j], x[k], x[a], x[b], x[c]))
+      if (!shares_point && is_face_[p] != 0 && passes_through(x[j], x[k], x[a], x[b], x[c]) &&
+          !(plan.is_spring[edges_[i]] != 0 && are_joined(plan, edge_ends_[i], piece_points_[p])))
         crossings.found.push_back({edges_[i], pieces_[p]});
     }
     tests += count;

@@ -62,8 +62,8 @@ class SurfaceTree {
   // between. False if there would be more than max_pairs.
   bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out,
                   std::vector<SurfacePair>& pairs, std::size_t max_pairs);
-  // Edges that pass through faces.
-  Crossings find_crossings(std::span<const Vec3> x) const;
+  // Edges that pass through faces, without springs that others join to the face: they may pass its edges.
+  Crossings find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const;
 
   // Leaves: pieces that are near each other, in an order that depends on the last `build` alone.
   Index leaf_count() const { return static_cast<Index>(leaves_.size()); }
