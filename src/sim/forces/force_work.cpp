@@ -47,6 +47,15 @@ double potential_work(const Plan& plan, double time, const Field& start, const F
   return work;
 }
 
+// [J], by the power at the mean velocity and the mean position between two positions of all points, which is left in `x` and `v`.
+double displacement_work(const Plan& plan, double start_time, double h, const Field& start, const Field& end, Field& x, Field& v) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = 0.5 * (start[i] + end[i]);
+    v[i] = (end[i] - start[i]) / h;
+  }
+  return h * power_of(plan, start_time + 0.5 * h, x, v);
+}
+
 }  // namespace
 
 void ForceWork::begin_frame(const Plan& plan, const Motion& motion) {
@@ -66,7 +75,7 @@ void ForceWork::begin_substep(const Plan& plan, const Motion& motion) {
   power_work_ = 0.0;
   // such a step follows, which needs no more than the power at both ends
   const bool is_external = motion.contents == Motion::Forces::External && motion.acceleration_is_current;
-  if (!is_external || air_acceleration(plan) != Vec3(0.0)) std::ranges::copy(motion.x, x_.begin());
+  if (!is_external || plan.has_contact() || air_acceleration(plan) != Vec3(0.0)) std::ranges::copy(motion.x, x_.begin());
   if (!has_power_) return;
   if (!is_external) std::ranges::copy(motion.v, v_.begin());
   if (!memory_.power_is_current) memory_.power = power_of(plan, motion.time, motion.x, motion.v);
@@ -114,11 +123,7 @@ void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h) {
       return;
     }
   }
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    middle_x_[i] = 0.5 * (x_[i] + motion.x[i]);
-    middle_v_[i] = (motion.x[i] - x_[i]) / h;
-  }
-  power_work_ = h * power_of(plan, middle, middle_x_, middle_v_);
+  power_work_ = displacement_work(plan, time_, h, x_, motion.x, middle_x_, middle_v_);
   // No more than is missing, where nothing else supplies energy: a linearly implicit step brakes fast points less than their velocity says.
   // Within a frame, because the energy of a method oscillates from substep to substep.
   if (is_alone_ && power_work_ < 0.0) {
@@ -131,7 +136,12 @@ void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h) {
 
 void ForceWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_moved) {
   if (!has_work(plan)) return;
+  // What contact stops has not moved with the velocity at which the forces acted: at rest, that which the weight causes in a substep.
   if (is_moved) memory_.power_is_current = false;
+  if (is_moved && has_power_ && plan.has_contact()) {
+    power_work_ = displacement_work(plan, time_, h, x_, motion.x, middle_x_, middle_v_);
+    memory_.carried = 0.0;
+  }
   double reversible = air_work(plan, x_, motion.x);
   if (has_potential_) {
     const double middle = time_ + 0.5 * h;
