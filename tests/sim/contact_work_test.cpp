@@ -130,5 +130,29 @@ TEST_P(ContactWork, IsTheEnergyThatABodyLosesUntilItRests) {
     }
 }
 
+// A force that brakes acts on the velocity that the weight causes in each substep, which contact takes away: it does no work, where the
+// power at that velocity would be 1e-4 J in half a second.
+TEST_P(ContactWork, OfForcesOnWhatRestsIsNone) {
+  for (const int kind : {0, 3}) {
+    Fall fall(kind, 0.0);
+    TestSim& sim = fall.sim;
+    Force brake{.term = find_force_term("mass_center"), .values = default_values(*find_force_term("mass_center"))};
+    constexpr std::size_t stiffness = 3;
+    brake.values[stiffness] = 0.0;
+    sim.system.forces.push_back(brake);
+    Plan plan = make_plan(sim.system);
+    const Settings settings{.integrator = &method(), .substeps = 10, .tolerance = 1e-8};
+    double work = 0.0;
+    Frame frame;
+    for (int i = 0; i < 150; ++i) {
+      frame.begin(plan, sim.system, settings, sim.state);
+      while (!frame.done()) frame.substep(plan);
+      frame.end(plan, sim.state);
+      if (i >= 120) work += std::abs(frame.motion().force_work);
+    }
+    EXPECT_LT(work, 1e-6) << kind;
+  }
+}
+
 }  // namespace
 }  // namespace hooke
