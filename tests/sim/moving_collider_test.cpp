@@ -30,7 +30,8 @@ Collider floor_with(const ColliderPath& path, double friction) { return {.shape 
 class Moving : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Moving, testing::ValuesIn(every_method()), method_name);
 
-// the point slides until mu g t = v and then moves with the belt: x = v t - v^2 / (2 mu g)
+// the point slides until mu g t = v and then moves with the belt: x = v t - v^2 / (2 mu g), and half a substep further with symplectic
+// Euler
 TEST_P(Moving, ABeltAcceleratesAPointByFrictionUpToItsSpeed) {
   const double mu = 0.4, v = 1.5, reaches = v / (mu * g);
   for (const int substeps : {1, 7}) {
@@ -40,7 +41,8 @@ TEST_P(Moving, ABeltAcceleratesAPointByFrictionUpToItsSpeed) {
     EXPECT_NEAR(sim.state.velocity[0].x, mu * g * before * frame, 1e-11);
     for (int i = before; i < 60; ++i) sim.run(method(), frame, substeps);
     EXPECT_NEAR(sim.state.velocity[0].x, v, 1e-11);
-    EXPECT_NEAR(sim.state.position[0].x, v * 1.0 - 0.5 * v * v / (mu * g), 1e-10);
+    EXPECT_NEAR(sim.state.position[0].x, v * 1.0 - 0.5 * v * v / (mu * g),
+                method().symplectic ? 1e-10 + std::abs(method().velocity_lag) * v * frame / substeps : 1e-10);
     EXPECT_NEAR(sim.state.position[0].y, 0.02, 1e-13);
   }
 }
