@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "sim/energy.h"
 #include "support/convergence.h"
@@ -81,8 +82,8 @@ TestSim sliding_net(std::uint64_t seed) {
   constexpr int n = 6;
   constexpr double a = 0.1;
   const double stiffness = std::pow(10.0, random.uniform(2.0, 4.0)), friction = std::pow(10.0, random.uniform(-1.0, 0.3));
-  const Vec3 along(random.uniform(0.7, 1.0), random.uniform(-0.3, 0.3), 0.0),
-      across(0.0, random.uniform(-0.3, 0.3), random.uniform(0.7, 1.0));
+  const Vec3 along = glm::normalize(Vec3(1.0, random.uniform(-0.4, 0.4), 0.0)),
+             across = glm::normalize(Vec3(0.0, random.uniform(-0.4, 0.4), 1.0));
   const Vec3 velocity(random.uniform(-1.0, 1.0), random.uniform(-1.0, 0.0), random.uniform(-1.0, 1.0));
   std::vector<PointId> points;
   for (int row = 0; row < n; ++row)
@@ -94,7 +95,8 @@ TestSim sliding_net(std::uint64_t seed) {
       const PointId here = points[row * n + column];
       if (column + 1 < n) sim.join(here, points[row * n + column + 1], stiffness, a);
       if (row + 1 < n) sim.join(here, points[(row + 1) * n + column], stiffness, a);
-      if (column + 1 < n && row + 1 < n) sim.join(here, points[(row + 1) * n + column + 1], 0.5 * stiffness, a * std::sqrt(2.0));
+      if (column + 1 < n && row + 1 < n)
+        sim.join(here, points[(row + 1) * n + column + 1], 0.5 * stiffness, a * glm::length(along + across));
     }
   if (random.one_in(2))
     sim.system.colliders = {{.shape = Plane{}, .friction = friction}};
@@ -107,11 +109,11 @@ class SlidingNets : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, SlidingNets, testing::ValuesIn(every_method()), method_name);
 
 // With symplectic Euler's velocity but not its path, x' = x + h (v + v') / 2, vibrations along the surface would grow without bound.
-TEST_P(SlidingNets, GainNoEnergyUnderFrictionFarBelowTheLimit) {
+TEST_P(SlidingNets, GainNoEnergyUnderFriction) {
   if (method().energy == EnergyTrend::Grows) return;  // without contact, too
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     TestSim sim = sliding_net(seed);
-    const double limit = largest_stable_step(method(), bound_spectrum(sim.system)), h = std::min(0.1 * limit, 1.0 / 240.0);
+    const double limit = largest_stable_step(method(), bound_spectrum(sim.system)), h = std::min(0.5 * limit, 1.0 / 240.0);
     const double start = compute_energy(sim.system, sim.state).total(), scale = reference_energy(sim.system, sim.state);
     double highest = start;
     for (double time = 0.0; time < 0.8; time += 4.0 * h) {
@@ -119,7 +121,7 @@ TEST_P(SlidingNets, GainNoEnergyUnderFrictionFarBelowTheLimit) {
       const double energy = compute_energy(sim.system, sim.state).total();
       highest = std::isfinite(energy) ? std::max(highest, energy) : 1e9;
     }
-    EXPECT_LT(highest - start, 0.05 * scale) << seed;
+    EXPECT_LT(highest - start, 0.02 * scale) << seed << ", from " << start;
   }
 }
 
