@@ -1,26 +1,26 @@
 #include "cli/interrupt.h"
 
 #include <signal.h>
-#include <time.h>
 
 #include <atomic>
+#include <chrono>
 
 namespace hooke {
 namespace {
 
 std::atomic<bool> interrupted = false;
-std::atomic<long> interrupted_at = 0;  // [s]
+std::atomic<long> interrupted_at = 0;  // [ms]
 
 // The first signal asks to end in order: unfinished files are removed, other programs are ended. A later one ends the program at once. One
 // that follows the first immediately is the same request: timeout(1) signals the program and then its process group.
 void handle(int signal) {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
+  using namespace std::chrono;
+  const long now = duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
   if (!interrupted.exchange(true)) {
-    interrupted_at = now.tv_sec;
+    interrupted_at = now;
     return;
   }
-  if (now.tv_sec - interrupted_at < 2) return;
+  if (now - interrupted_at < 1000) return;
   ::signal(signal, SIG_DFL);
   raise(signal);
 }

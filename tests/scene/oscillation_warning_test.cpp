@@ -28,7 +28,7 @@ TEST(OscillationWarning, IsNotGivenForMethodsThatResolveItThemselves) {
   EXPECT_EQ(oscillation_warning(with_plates({1e6}), settings_with("auto", 1)),
             "colliders[0].frequency: 1000000: is not resolved by 65536 substeps per frame, the maximum of auto");
   EXPECT_EQ(oscillation_warning(with_plates({2e7}), settings_with("xpbd", 2)),
-            "colliders[0].frequency: 20000000: is not resolved by 2 substeps per frame, nor by 1000000");
+            "colliders[0].frequency: 2×10⁷: is not resolved by 2 substeps per frame, nor by 1000000");
 }
 
 TEST(OscillationWarning, IgnoresCollidersThatDoNotOscillateOrAreDrawnOnly) {

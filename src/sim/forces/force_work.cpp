@@ -136,11 +136,15 @@ void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h) {
 
 void ForceWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_moved) {
   if (!has_work(plan)) return;
-  // What contact stops has not moved with the velocity at which the forces acted: at rest, that which the weight causes in a substep.
   if (is_moved) memory_.power_is_current = false;
+  // What contact stops has not moved with the velocity at which the forces acted: at rest, that which the weight causes in a substep. Where
+  // contact pushes points, as out of a collider, their displacement is the larger one, but no motion in which forces do work.
   if (is_moved && has_power_ && plan.has_contact()) {
-    power_work_ = displacement_work(plan, time_, h, x_, motion.x, middle_x_, middle_v_);
-    memory_.carried = 0.0;
+    const double work = displacement_work(plan, time_, h, x_, motion.x, middle_x_, middle_v_);
+    if (std::abs(work) < std::abs(power_work_)) {
+      power_work_ = work;
+      memory_.carried = 0.0;
+    }
   }
   double reversible = air_work(plan, x_, motion.x);
   if (has_potential_) {

@@ -10,6 +10,7 @@
 #include "sim/energy.h"
 #include "sim/forces/force_term.h"
 #include "sim/integrator.h"
+#include "sim/portable_math.h"
 #include "sim/settings.h"
 
 namespace hooke {
@@ -23,7 +24,7 @@ double longest_step(const Passage& passage, const Integrator& integrator) {
   // by some 1 / n; those of them that dissipate take 0.6 / n of it. Measured for exponents of 0.5 to 4 (tests/study/passage_test.cpp).
   const double depth = std::max(1.0, 0.5 * passage.speed * passage.speed / passage.energy);
   const bool dissipates = integrator.order == 1 && integrator.stability == Stability::LStable;
-  const double steps = dissipates ? 60.0 * depth : (integrator.order == 1 ? 15.0 : 3.0) * std::cbrt(depth);
+  const double steps = dissipates ? 60.0 * depth : (integrator.order == 1 ? 15.0 : 3.0) * portable::pow(depth, 1.0 / 3.0);
   const double resolved = passage.length / (steps * passage.speed);
 
   // a force so weak against the motion that one step in it, wherever it is, changes the energy little
