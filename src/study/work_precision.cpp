@@ -88,7 +88,8 @@ void PrecisionSweep::sweep_finer(const Integrator& method, Setting setting) {
   double last_error = INFINITY, last_cost = 0.0;
   for (;; setting = benchmark_.finer(setting)) {
     const Row* row = measure(method, setting);
-    if (row == nullptr || row->status == status::too_slow || row->status == status::too_large || row->status == status::below_reference) return;
+    if (row == nullptr || row->status == status::too_slow || row->status == status::too_large || row->status == status::below_reference)
+      return;
     if (setting.tolerance && *setting.tolerance < 1e-13 * problem_.size) return;
     if (!reached_end(*row)) {
       if (setting.steps > 100'000'000) return;

@@ -136,8 +136,8 @@ TestSim heap_of_bars() {
                           {.shape = Plane{{0.0, 0.0, 0.25}, {0.0, 0.0, -1.0}}}};
   PointId last{};
   for (int i = 0; i < 40; ++i) {
-    const PointId id =
-        sim.add({0.11 * (i % 4) - 0.17 + 0.01 * (i % 3), 0.05 + 0.1 * (i / 8), 0.13 * (i / 4 % 2) - 0.1 + 0.013 * (i % 5)}, 0.1);
+    const int layer = i / 8, row = i / 4 % 2;
+    const PointId id = sim.add({0.11 * (i % 4) - 0.17 + 0.01 * (i % 3), 0.05 + 0.1 * layer, 0.13 * row - 0.1 + 0.013 * (i % 5)}, 0.1);
     sim.system.point(i).radius = 0.04;
     if (i % 2 == 1) sim.join(last, id, 2000.0, 0.11);
     last = id;

@@ -67,10 +67,10 @@ class AccuracyMeter {
   int repetitions_ = 0;  // since the order was determined
   const Integrator* method_ = nullptr;
   int frames_since_repetition_ = 0;
-  double max_kinetic_ = 0.0;  // [J], since the start
+  double max_kinetic_ = 0.0;   // [J], since the start
   double energy_scale_ = 0.0;  // [J], supplied so far
-  std::vector<Vec3> start_;   // positions [m], in full mode
-  double motion_ = 0.0;       // [m], maximum RMS distance from there
+  std::vector<Vec3> start_;    // positions [m], in full mode
+  double motion_ = 0.0;        // [m], maximum RMS distance from there
   EnergyAccounts energy_;
   FrameRepetition repetition_;
   SecondRuns second_runs_;
