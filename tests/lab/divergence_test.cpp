@@ -99,8 +99,8 @@ TEST(Divergence, ANetworkThatIsTooLargeForTheMethodStopsTheRunWithAReason) {
     springs[s] = {
         .id = SpringId{static_cast<std::uint32_t>(s + 1)}, .first = added[first].id, .second = added[(first + apart) % points].id};
   }
-  scene.system.set_points(added);
-  scene.system.set_springs(std::move(springs));
+  scene.system.set_points(std::move(added));
+  scene.system.set_springs(springs);
   for (int i = 0; i < points; ++i) scene.state.position.emplace_back(0.01 * (i % 100), 1e-4 * i, 0.0);
   scene.state.velocity.resize(points);
   scene.settings.integrator = find_integrator("implicit_euler");
