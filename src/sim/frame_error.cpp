@@ -21,11 +21,6 @@ bool has_surface_contact(const System& system) { return system.contact.faces || 
 // Whether something is done once per substep, whatever the tolerance of a method that adapts its step.
 bool acts_once_per_substep(const System& system) { return has_surface_contact(system) || system.strain_limit > 0.0; }
 
-bool can_break(const System& system) {
-  if (system.break_strain > 0.0) return true;
-  return std::ranges::any_of(system.springs(), [](const Spring& spring) { return spring.break_strain != never_breaks; });
-}
-
 }  // namespace
 
 int effective_order(const System& system, const Integrator& method) {
@@ -41,7 +36,7 @@ int effective_order(const System& system, const Integrator& method) {
 
 Settings refined(const System& system, const Settings& settings) {
   Settings fine = settings;
-  fine.locates_breaks = can_break(system);
+  fine.locates_breaks = true;
   if (is_automatic(settings)) {
     fine.tolerance = 0.1 * automatic_tolerance(settings);
     return fine;
@@ -96,7 +91,7 @@ std::optional<Settings> resolving(const Plan& plan, const Settings& settings, do
     if (!(substeps <= max_automatic_substeps)) continue;
     Settings fine = settings;
     fine.integrator = each;
-    fine.locates_breaks = !plan.break_length.empty();
+    fine.locates_breaks = true;
     fine.substeps = std::max(settings.substeps, static_cast<int>(substeps));
     if (plan.spectrum.dashpot_rate * fine.substep() > 1.0) {
       if (dashpots == FastDashpots::Excluded) continue;
