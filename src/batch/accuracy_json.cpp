@@ -36,7 +36,7 @@ void write_error(JsonWriter& json, const Accuracy& accuracy) {
   };
   write_time("frame_time", accuracy.frame.value.has_value(), accuracy.frame_time);
   write_time("accumulated_since", accuracy.accumulated.value.has_value(), accuracy.since);
-  if (!accuracy.is_on) reasons += "; energy_balance: switched off";
+  if (!accuracy.is_on) reasons.append("; energy_balance: ").append(accuracy.off_reason);
   json.key("reason");
   if (reasons.empty())
     json.null();
@@ -56,7 +56,7 @@ void write_half_error(JsonWriter& json, const Accuracy& accuracy) {
     json.null();
     json.key("cost");
     json.null();
-    json.text("reason", accuracy.is_on ? accuracy.half_error_reason : "switched off");
+    json.text("reason", accuracy.is_on ? accuracy.half_error_reason : accuracy.off_reason);
   }
   json.end();
 }

@@ -116,6 +116,9 @@ TEST(Lammps, IsAnEngineOfRun) {
     EXPECT_EQ(theirs["seconds"].GetDouble(), 0.5);
     EXPECT_EQ(theirs["force_evaluations"].GetInt(), 1001);
     EXPECT_FALSE(theirs["diverged"].GetBool());
+    const std::string reason = theirs["samples"][0]["error"]["reason"].GetString();
+    EXPECT_NE(reason.find("energy_balance: not measured with --engine"), std::string::npos) << reason;
+    EXPECT_STREQ(theirs["samples"][0]["half_error"]["reason"].GetString(), "not measured with --engine");
     EXPECT_EQ(std::ranges::count(csv, '\n'), 12);
     EXPECT_EQ(cache.size(), contents(scratch.folder / "run.pc2").size());
   }
@@ -133,6 +136,13 @@ TEST(Lammps, TwoRanksGiveTheSameMotion) {
   EXPECT_LE(difference, 1e-10);
   // LAMMPS has computed it: its rounding differs
   EXPECT_STRNE(theirs["hash"].GetString(), ours["hash"].GetString());
+}
+
+TEST(Lammps, TheSummarySaysThatTheErrorIsNotMeasured) {
+  const ScratchFolder scratch;
+  const Outcome outcome = headless({"run", write_scene(scratch.folder / "scene.json", "0"), "--seconds", "0.1", "--engine", LAMMPS});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(lines_of(outcome.out).back(), "error of a frame, accumulated, predictability: not measured with --engine");
 }
 
 TEST(Lammps, APointBouncesOnAPlane) {

@@ -126,7 +126,7 @@ std::optional<long> step_in(const std::string& line) {
 
 Accuracy unknown_accuracy() {
   constexpr Measured unknown{.reason = "not measured with --engine"};
-  Accuracy accuracy;
+  Accuracy accuracy{.off_reason = unknown.reason};
   for (Measured* each :
        {&accuracy.frame, &accuracy.frame_max, &accuracy.accumulated, &accuracy.amplification, &accuracy.growth_rate, &accuracy.predictable})
     *each = unknown;

@@ -33,11 +33,14 @@ struct RunOptions {
   std::optional<std::string> engine;  // "mpirun -np 2 lmp"; none: this program computes the frames
 };
 
-// The error of the run and, where only that of a frame was measured, how to measure the rest.
-std::string accuracy_summary(const Accuracy& accuracy, bool is_full) {
+// The error of the run, or what of it was not measured and why.
+std::string accuracy_summary(const RunOptions& options, const Accuracy& accuracy) {
+  if (!accuracy.is_on)
+    return std::string("error of a frame, accumulated, predictability: not measured with ") +
+           (options.engine ? "--engine" : "--accuracy off");
   const std::string time = accuracy.frame.value ? " at t = " + quantity_text(accuracy.frame_time, "s") : "";
   const std::string frame = "error of a frame" + time + ": " + error_text(accuracy.frame, accuracy.size);
-  if (!is_full) return frame + "; accumulated, predictability: not measured without --accuracy full";
+  if (options.output.accuracy != AccuracyMode::Full) return frame + "; accumulated, predictability: not measured without --accuracy full";
   return frame + "; accumulated: " + error_text(accuracy.accumulated, accuracy.size) + "; " + predictability_text(accuracy);
 }
 
@@ -52,8 +55,8 @@ void print_summary(const RunOptions& options, const Scene& scene, const RunTotal
   if (scene.state.memory.choice && is_automatic(settings)) std::cout << "last choice: " << describe(scene.state.memory, settings) << "\n";
   std::cout << "simulated " << totals.seconds << " s in " << totals.wall_seconds << " s (" << totals.cpu_seconds << " s of CPU), "
             << totals.force_evaluations << " force evaluations\n"
-            << "hash " << to_hexadecimal(totals.hash) << "\n";
-  if (accuracy.is_on) std::cout << accuracy_summary(accuracy, options.output.accuracy == AccuracyMode::Full) << "\n";
+            << "hash " << to_hexadecimal(totals.hash) << "\n"
+            << accuracy_summary(options, accuracy) << "\n";
 }
 
 bool has_summary(const RunOptions& options) { return !options.output.files.json && !options.output.files.csv && !options.scene->quiet; }
