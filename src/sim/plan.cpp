@@ -68,9 +68,7 @@ void plan_carried_collider(Plan& plan, const System& system, const State& state,
 
 // The lengths at which springs break and those of the strain limit; empty if there are none.
 void plan_length_limits(Plan& plan, const System& system) {
-  const auto breaks = [&](const Spring& spring) { return system.break_strain > 0.0 || spring.break_strain != never_breaks; };
-  const bool any = std::ranges::any_of(system.springs(), breaks);
-  plan.break_length.resize(any ? plan.springs : 0);
+  plan.break_length.resize(system.any_spring_breaks() ? plan.springs : 0);
   plan.max_length.resize(system.strain_limit > 0.0 ? plan.springs : 0);
   for (Index s = 0; s < static_cast<Index>(plan.break_length.size()); ++s)
     plan.break_length[s] = system.break_length_of(system.springs()[plan.spring_index[s]]);

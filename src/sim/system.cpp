@@ -112,6 +112,11 @@ void System::set_springs(SpringList springs) {
   for (const Spring& spring : springs_) ++family_count_[static_cast<std::size_t>(spring.family)];
 }
 
+bool System::any_spring_breaks() const {
+  if (break_strain > 0.0) return spring_count() > 0;
+  return std::ranges::any_of(springs_, [](const Spring& spring) { return spring.break_strain != never_breaks; });
+}
+
 void System::reserve(Index points, Index springs) {
   points_.reserve(points);
   springs_.reserve(springs);

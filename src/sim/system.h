@@ -200,6 +200,8 @@ class System {
     const double strain = break_strain > 0.0 ? std::min(break_strain, spring.break_strain) : spring.break_strain;
     return spring.rest_length > 0.0 ? spring.rest_length * (1.0 + strain) : strain;
   }
+  // Whether any spring has a strain at which it breaks.
+  bool any_spring_breaks() const;
   double damping_of(const Spring& spring) const { return dashpots_on && is_on(spring) ? spring.damping : 0.0; }
 
  private:

@@ -71,6 +71,11 @@ TEST(LammpsExport, NamesWhatLammpsCannotRepresent) {
     expect_refused(two_points(refused.members), refused.message);
 }
 
+TEST(LammpsExport, LimitsOfSpringsAreNoObstacleWithoutSprings) {
+  EXPECT_TRUE(unsupported_by_lammps(two_points(R"("break_strain": 0.5, "strain_limit_percent": 10)")).empty());
+  EXPECT_EQ(unsupported_by_lammps(two_points(with_spring("") + R"(, "break_strain": 0.5)")), std::vector<std::string>{"springs that break"});
+}
+
 TEST(LammpsExport, RefusesFileNamesThatLammpsCannotRead) {
   const Scene scene = two_points(with_spring(""));
   const ScratchFolder scratch;

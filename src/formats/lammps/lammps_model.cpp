@@ -36,11 +36,10 @@ std::string why_not_a_wall(const Scene& scene, const Collider& collider) {
 std::vector<std::string> unsupported_by_lammps(const Scene& scene) {
   const System& system = scene.system;
   std::vector<std::string> list;
-  const auto has = [&](auto&& is) { return std::ranges::any_of(system.springs(), is); };
-  if (has([&](const Spring& spring) { return system.damping_of(spring) > 0.0; })) list.emplace_back("dashpots");
-  if (system.break_strain > 0.0 || has([](const Spring& spring) { return spring.break_strain != never_breaks; }))
-    list.emplace_back("springs that break");
-  if (system.strain_limit > 0.0) list.emplace_back("the strain limit");
+  const auto has_dashpot = [&](const Spring& spring) { return system.damping_of(spring) > 0.0; };
+  if (std::ranges::any_of(system.springs(), has_dashpot)) list.emplace_back("dashpots");
+  if (system.any_spring_breaks()) list.emplace_back("springs that break");
+  if (system.strain_limit > 0.0 && system.spring_count() > 0) list.emplace_back("the strain limit");
   if (system.grab || scene.state.hand.collider) list.emplace_back("the hand");
   if (system.scripted_hand) list.emplace_back("the scripted hand");
   if (system.contact.points) list.emplace_back("contact between points");
