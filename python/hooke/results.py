@@ -116,7 +116,7 @@ class Chart:
     rows: dictionaries as in bench.json, with scene, method, setting, step_s [s], tolerance_m [m], error_m [m], relative_error [1] (of the
         size of the scene), cpu_ms_per_s [ms/s], energy_drift [1], work counts and status; None where a number is unknown
     problems: the same by scene, with the reference that errors are measured against
-    is_complete: whether every method was measured; False after the time limit of a quick benchmark
+    is_complete: whether every method was measured; False after the time limit of a quick benchmark, and where merged parts are missing
     messages: why something is missing, one line each
     """
 

@@ -22,10 +22,18 @@
 #include "sim/hash.h"
 #include "study/gnuplot.h"
 #include "study/work_precision_chart.h"
-#include "study/work_precision_merge.h"
 
 namespace hooke {
 namespace {
+
+// The part that the request measures, not complete yet.
+PartRecord part_of(const BenchRequest& request) {
+  PartRecord part{.number = request.shard.number, .count = request.shard.count};
+  for (const Problem& problem : request.problems) part.of += problem.id + ' ';
+  part.of += "by";
+  for (const Integrator* method : request.methods) part.of += ' ' + std::string(method->id);
+  return part;
+}
 
 // Hash of the file of the program or library: figures of different builds are not mixed.
 std::string build() {
@@ -45,11 +53,15 @@ class Bench {
   }
 
   BenchResults run() {
+    const bool was_complete = std::exchange(part().is_complete, false);
     for (const Problem& problem : request_.problems) {
       if (!should_continue()) break;
       measure(problem);
     }
-    return {std::move(results_), should_continue(), has_failed_};
+    const bool is_complete = part().is_complete = should_continue();
+    // also where there was nothing to measure
+    if (is_complete && (!was_complete || has_new_rows_)) save();
+    return {std::move(results_), is_complete, has_failed_};
   }
 
  private:
@@ -65,6 +77,13 @@ class Bench {
       results_ = std::move(earlier);
     else
       hooks_.note(printable(file.native()) + ": from another build, machine or effort; measuring again");
+  }
+
+  PartRecord& part() {
+    const PartRecord wanted = part_of(request_);
+    for (PartRecord& known : results_.parts)
+      if (known.is_same(wanted)) return known;
+    return results_.parts.emplace_back(wanted);
   }
 
   ProblemRecord& find_or_add_record(const Problem& problem) {
@@ -91,7 +110,10 @@ class Bench {
       const bool finished = sweep.run(*method);
       const bool is_new = record.rows.size() > rows;
       hooks_.end_part(is_new);
-      if (is_new) save();
+      if (is_new) {
+        has_new_rows_ = true;
+        save();
+      }
       if (!finished) break;
     }
     using enum ReferenceResult::Failure;
@@ -101,7 +123,7 @@ class Bench {
   }
 
   void save() {
-    results_.date = time_text("%Y-%m-%dT%H:%M:%SZ");
+    if (has_new_rows_ || results_.date.empty()) results_.date = time_text("%Y-%m-%dT%H:%M:%SZ");
     if (request_.folder) save_results(results_, *request_.folder);
   }
 
@@ -109,7 +131,7 @@ class Bench {
   const BenchHooks& hooks_;
   Results results_;
   std::size_t parts_ = 0;  // pairs of a problem and a method so far
-  bool has_failed_ = false;
+  bool has_failed_ = false, has_new_rows_ = false;
   const Clock::time_point start_ = Clock::now();
 };
 
@@ -117,7 +139,7 @@ class Bench {
 
 BenchResults run_bench(const BenchRequest& request, const BenchHooks& hooks) { return Bench(request, hooks).run(); }
 
-Results merge_benches(const std::vector<std::filesystem::path>& folders) {
+MergedResults merge_benches(const std::vector<std::filesystem::path>& folders) {
   std::vector<std::pair<std::string, Results>> parts;
   for (const std::filesystem::path& folder : folders) {
     const std::filesystem::path file = folder / "bench.json";

@@ -10,6 +10,7 @@
 
 #include "batch/shard.h"
 #include "study/work_precision_file.h"
+#include "study/work_precision_merge.h"
 
 namespace hooke {
 
@@ -45,8 +46,8 @@ struct BenchResults {
 // Throws InputError, FileError.
 BenchResults run_bench(const BenchRequest& request, const BenchHooks& hooks);
 
-// The results in these folders together. Throws InputError if they were measured under different conditions, FileError.
-Results merge_benches(const std::vector<std::filesystem::path>& folders);
+// The results in these folders together, and what is missing. Throws InputError if they were measured under different conditions, FileError.
+MergedResults merge_benches(const std::vector<std::filesystem::path>& folders);
 
 // The built-in problems, for quick ones only those that are fast.
 std::vector<Problem> default_problems(bool quick);

@@ -73,11 +73,12 @@ py::tuple bench_names(const std::vector<std::string>& names, const std::vector<s
 }
 
 py::tuple merge(const std::vector<std::string>& folders, const std::string& out) {
-  const Results results = merge_benches({folders.begin(), folders.end()});
+  const auto [results, missing] = merge_benches({folders.begin(), folders.end()});
   save_results(results, out);
   std::vector<std::string> messages;
+  if (!missing.empty()) messages.push_back("incomplete: " + missing);
   if (const auto failure = draw_charts(results, out)) messages.push_back(*failure);
-  return py::make_tuple(format_results(results), true, messages);
+  return py::make_tuple(format_results(results), missing.empty(), messages);
 }
 
 std::optional<std::string> save_bench(const std::string& json, const std::string& folder) {

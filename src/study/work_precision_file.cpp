@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 
 #include "base/csv_field.h"
 
@@ -61,7 +62,15 @@ void visit_problem(Record& problem, const Visit& visit) {
   visit("size_m", problem.size);
 }
 
-// All but the problems, which follow.
+template <class Record, class Visit>
+void visit_part(Record& part, const Visit& visit) {
+  visit("of", part.of);
+  visit("number", part.number);
+  visit("count", part.count);
+  visit("complete", part.is_complete);
+}
+
+// All but the parts and the problems, which follow.
 template <class Record, class Visit>
 void visit_results(Record& results, const Visit& visit) {
   visit("version", results.conditions.version);
@@ -89,7 +98,11 @@ class FieldWriter {
   void operator()(const char* key, double number) const { (*this)(key, std::optional(number)); }
   void operator()(const char* key, std::integral auto number) const {
     writer_.Key(key);
-    writer_.Int64(number);
+    writer_.Int64(static_cast<std::int64_t>(number));
+  }
+  void operator()(const char* key, bool value) const {
+    writer_.Key(key);
+    writer_.Bool(value);
   }
   void operator()(const char* key, Measure measure) const { (*this)(key, std::string(name_of(measure))); }
 
@@ -125,11 +138,17 @@ class FieldReader {
     if (!value.IsInt64()) refuse(std::string(key) + ": not a whole number");
     number = static_cast<std::decay_t<decltype(number)>>(value.GetInt64());
   }
+  void operator()(const char* key, bool& is_set) const {
+    const rapidjson::Value& value = at(key);
+    if (!value.IsBool()) refuse(std::string(key) + ": not true or false");
+    is_set = value.GetBool();
+  }
   void operator()(const char* key, Measure& measure) const {
     std::string text;
     (*this)(key, text);
     measure = text == name_of(Measure::Trajectory) ? Measure::Trajectory : Measure::Observables;
   }
+  bool has(const char* key) const { return object_.HasMember(key); }
   const rapidjson::Value& list(const char* key) const {
     const rapidjson::Value& value = at(key);
     if (!value.IsArray()) refuse(std::string(key) + ": not a list");
@@ -190,6 +209,14 @@ ProblemRecord read_problem(const FieldReader& fields, const std::string& name) {
   return problem;
 }
 
+PartRecord read_part(const FieldReader& fields, const std::string& name) {
+  PartRecord part;
+  visit_part(part, fields);
+  if (part.number < 1 || part.number > part.count || part.count > max_parts)
+    throw InputError(name + ": parts: number must be from 1 to count, and count at most " + std::to_string(max_parts));
+  return part;
+}
+
 // the shortest digits that read back as the same number
 void append(std::string& line, std::optional<double> number) {
   line += ',';
@@ -208,6 +235,16 @@ std::string format_results(const Results& results) {
   writer.StartObject();
   fields("hooke_bench", 1);
   visit_results(results, fields);
+  if (!results.parts.empty()) {
+    writer.Key("parts");
+    writer.StartArray();
+    for (const PartRecord& part : results.parts) {
+      writer.StartObject();
+      visit_part(part, fields);
+      writer.EndObject();
+    }
+    writer.EndArray();
+  }
   writer.Key("scenes");
   writer.StartArray();
   for (const ProblemRecord& problem : results.problems) write_problem(writer, problem);
@@ -227,6 +264,9 @@ Results parse_results(const std::string& text, const std::string& name) {
   fields("hooke_bench", version);
   Results results;
   visit_results(results, fields);
+  // earlier files have none
+  if (fields.has("parts"))
+    for (const rapidjson::Value& part : fields.list("parts").GetArray()) results.parts.push_back(read_part(FieldReader(part, name), name));
   for (const rapidjson::Value& problem : fields.list("scenes").GetArray())
     results.problems.push_back(read_problem(FieldReader(problem, name), name));
   return results;

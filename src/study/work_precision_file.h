@@ -20,9 +20,20 @@ struct Conditions {
   bool operator==(const Conditions&) const = default;
 };
 
+inline constexpr std::size_t max_parts = 1'000'000;
+
+// A part of a benchmark that is divided among processes.
+struct PartRecord {
+  std::string of;                     // the scenes and the methods of the whole
+  std::size_t number = 1, count = 1;  // from 1 to count
+  bool is_complete = false;           // false: it was interrupted
+  bool is_same(const PartRecord& other) const { return of == other.of && number == other.number && count == other.count; }
+};
+
 struct Results {
   Conditions conditions;
-  std::string date;  // ISO 8601, of the last row
+  std::string date;               // ISO 8601, of the last row
+  std::vector<PartRecord> parts;  // that were measured; empty: not known
   std::vector<ProblemRecord> problems;
 };
 

@@ -9,8 +9,13 @@
 
 namespace hooke {
 
+struct MergedResults {
+  Results results;
+  std::string missing;  // the parts that are missing or not finished, in one clause; empty: none
+};
+
 // The results with the names of their files. Of a row that several of them have, the first counts. Throws InputError if they were measured
 // under different conditions or if a problem differs.
-Results merge_results(const std::vector<std::pair<std::string, Results>>& parts);
+MergedResults merge_results(const std::vector<std::pair<std::string, Results>>& parts);
 
 }  // namespace hooke

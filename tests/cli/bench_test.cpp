@@ -100,6 +100,24 @@ TEST(Bench, PartsAreMergedIntoOneTable) {
   EXPECT_TRUE(merged.problems[0].reference);
   EXPECT_TRUE(fs::exists(scratch.folder / "bench.svg"));
 
+  // one part alone is written, and the other one named
+  const fs::path half = scratch.folder / "half";
+  fs::create_directories(half);
+  const Process incomplete(half, {"--merge", scratch.folder / "2/2", "-q"});
+  EXPECT_EQ(incomplete.wait(), 1);
+  EXPECT_EQ(incomplete.errors(), "incomplete: shard 1/2 is missing\n");
+  EXPECT_EQ(results_in(half).problems.at(0).rows, second.problems.at(0).rows);
+
+  // a part for which nothing is left says so
+  const fs::path last = scratch.folder / "last";
+  fs::create_directories(last);
+  std::vector<std::string> words = arguments;
+  words.insert(words.end(), {"--shard", "4/4", "-q"});
+  ASSERT_EQ(run(last, words), 0);
+  EXPECT_FALSE(results_in(last).date.empty());
+  ASSERT_EQ(results_in(last).parts.size(), 1u);
+  EXPECT_TRUE(results_in(last).parts[0].is_complete);
+
   // figures of another build are not mixed with these
   Results other = second;
   other.conditions.build = "0";

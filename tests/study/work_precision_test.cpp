@@ -10,12 +10,13 @@
 #include "study/label_placement.h"
 #include "study/work_precision_chart.h"
 #include "study/work_precision_file.h"
+#include "study/work_precision_merge.h"
 #include "support/bench_problem.h"
 
 namespace hooke {
 namespace {
 
-Results results_of(ProblemRecord record) { return {{"1.0", "abc", "a machine", "full"}, "2024-01-01T00:00:00Z", {std::move(record)}}; }
+Results results_of(ProblemRecord record) { return {{"1.0", "abc", "a machine", "full"}, "2024-01-01T00:00:00Z", {}, {std::move(record)}}; }
 
 Row row(const char* method, double error, double cost) {
   return {.method = method,
@@ -138,7 +139,8 @@ TEST(BenchFiles, TheCsvHasItsFixedColumns) {
 }
 
 TEST(BenchFiles, AreReadBackAsWritten) {
-  const Results written = results_of(swept_record());
+  Results written = results_of(swept_record());
+  written.parts = {{.of = "a by b", .number = 2, .count = 4, .is_complete = true}, {.of = "a by c"}};
   const Results read = parse_results(format_results(written), "bench.json");
   EXPECT_EQ(read.conditions, written.conditions);
   EXPECT_EQ(read.date, written.date);
@@ -149,8 +151,35 @@ TEST(BenchFiles, AreReadBackAsWritten) {
   EXPECT_EQ(format_results(read), format_results(written));
 }
 
+// What merging results with these parts, one per file, says is missing.
+std::string missing_of(const std::vector<PartRecord>& parts) {
+  std::vector<std::pair<std::string, Results>> files;
+  for (const PartRecord& part : parts) files.emplace_back("bench.json", Results{.conditions = {}, .date = {}, .parts = {part}, .problems = {}});
+  return merge_results(files).missing;
+}
+
+TEST(BenchFiles, MergingThemNamesThePartsThatAreMissing) {
+  const auto part = [](std::size_t number, std::size_t count, bool is_complete = true, const char* of = "a by b") {
+    return PartRecord{of, number, count, is_complete};
+  };
+  EXPECT_EQ(missing_of({part(1, 1)}), "");
+  EXPECT_EQ(missing_of({part(2, 2), part(1, 2)}), "");
+  EXPECT_EQ(missing_of({part(1, 1, false)}), "shard 1/1 is not finished");
+  EXPECT_EQ(missing_of({part(3, 4), part(1, 4, false)}), "shard 1/4 is not finished, shard 2/4 is missing, shard 4/4 is missing");
+  EXPECT_EQ(missing_of({part(1, 2, false), part(1, 2), part(2, 2)}), "") << "it was resumed in another folder";
+  EXPECT_EQ(missing_of({part(1, 4), part(1, 1)}), "") << "all of it was measured, too";
+  EXPECT_EQ(missing_of({part(1, 1), part(1, 2, true, "a by c")}), "shard 2/2 is missing") << "of other methods";
+  EXPECT_EQ(missing_of({part(2, 20)}).substr(0, 37), "shard 1/20 is missing, shard 3/20 is ");
+  EXPECT_TRUE(missing_of({part(2, 20)}).ends_with("shard 11/20 is missing, and 9 more"));
+  EXPECT_EQ(merge_results({{"old.json", {}}}).missing, "old.json does not say which shard it is");
+}
+
 TEST(BenchFiles, OtherJsonIsRefusedInOneLine) {
-  for (const char* text : {"", "[", "[]", "{}", "{\"hooke_bench\":1}", "{\"hooke\": 1}", "{\"hooke_bench\":1,\"version\":3}"}) {
+  for (const char* text : {"", "[", "[]", "{}", "{\"hooke_bench\":1}", "{\"hooke\": 1}", "{\"hooke_bench\":1,\"version\":3}",
+                           R"({"hooke_bench": 1, "version": "", "build": "", "machine": "", "effort": "", "date": "", "scenes": [],
+                               "parts": [{"of": "", "number": 3, "count": 2, "complete": true}]})",
+                           R"({"hooke_bench": 1, "version": "", "build": "", "machine": "", "effort": "", "date": "", "scenes": [],
+                               "parts": [{"of": "", "number": 3, "count": 2000000, "complete": true}]})"}) {
     try {
       parse_results(text, "bench.json");
       ADD_FAILURE() << text;

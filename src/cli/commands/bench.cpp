@@ -47,12 +47,14 @@ int rewrite_report(const BenchOptions& options) {
 }
 
 int merge_parts(const BenchOptions& options) {
-  const Results results = merge_benches(options.merge);
+  const auto [results, missing] = merge_benches(options.merge);
   save_results(results, options.folder);
   draw_charts_or_warn(results, options.folder);
   if (!options.quiet)
     for (const ProblemRecord& record : results.problems) std::cout << report(record);
-  return exit_code::success;
+  if (missing.empty()) return exit_code::success;
+  std::cerr << "incomplete: " << missing << "\n";
+  return exit_code::check_failed;
 }
 
 BenchRequest request_of(const BenchOptions& options) {
