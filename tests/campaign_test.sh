@@ -6,6 +6,7 @@ trap 'rm -r "$folder"' EXIT
 cd "$folder"
 mkdir -p scripts docs build/fuzz src
 cp "$1" scripts/campaign
+cp "$(dirname "$1")/usage" scripts
 printf '#!/bin/sh\nexit 1\n' >scripts/fuzz
 chmod +x scripts/campaign scripts/fuzz
 echo "check,cases,reached,findings,date,commit" >docs/reliability.csv
