@@ -32,7 +32,7 @@ std::vector<TestSim> deformed_bodies(const GasOptions& gas, double size = 0.1) {
   return bodies;
 }
 
-const GasOptions all_gases[] = {{.exponent = 0.0}, {}, {.exponent = 1.4}, {.exponent = 1.0, .ambient = 1e4}};
+const GasOptions all_gases[] = {{.exponent = 0.0}, {}, {.exponent = 1.4}, {.exponent = 3.0}, {.exponent = 1.0, .ambient = 1e4}};
 
 // ---- the force
 
@@ -183,7 +183,7 @@ double pressure_of(const PackedGas& packed, double time = 0.0) {
 }
 
 TEST(Pressure, FollowsThePolytropicLaw) {
-  for (const double exponent : {0.0, 0.5, 1.0, 1.4})
+  for (const double exponent : {0.0, 0.5, 1.0, 1.4, 3.0})
     for (const double scale : {0.6, 1.0, 1.7}) {
       TestSim sim = gas_ball(1, 50.0, {.pressure = 200.0, .exponent = exponent});
       for (Vec3& x : sim.state.position) x *= scale;
