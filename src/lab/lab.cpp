@@ -86,6 +86,7 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   }
 
   const bool was_in_progress = frame_in_progress_;
+  if (const auto* set = std::get_if<SetForces>(&command)) start_.record_leaks(scene_.system.forces, set->forces);
   if (std::holds_alternative<GoToState>(command) || std::holds_alternative<Replace>(command)) keep_start();
   const History::Of of = known.value_or(changed_by(command));
   const double before = energy_.total();

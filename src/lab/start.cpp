@@ -10,6 +10,7 @@ void Start::set(std::shared_ptr<const Scene> scene) {
   scene_ = std::move(scene);
   added_.clear();
   released_.clear();
+  leaks_.clear();
 }
 
 void Start::set_with_released_nails(Scene scene) {
@@ -25,6 +26,11 @@ void Start::record_added(const Insert& insert) {
 
 void Start::record_release(const SetNailed& release) {
   for (const SetNailed::Item& item : release.items) released_.insert(item.point);
+}
+
+void Start::record_leaks(const std::vector<Force>& now, const std::vector<Force>& after) {
+  for (std::size_t f = 0; f < std::min(now.size(), after.size()); ++f)
+    if (is_leak_continued(now[f], after[f])) leaks_.push_back({now[f], after[f]});
 }
 
 bool Start::is_nailed(PointId point) const {
@@ -55,6 +61,7 @@ Scene Start::return_from(const Scene& now) const {
   apply(scene, GoToState{std::make_shared<const State>(std::move(state))}, effect);
   for (Index i = 0; i < scene.system.point_count(); ++i)
     if (is_nailed(scene.system.points()[i].id)) scene.system.point(i).nailed = true;
+  for (Force& force : scene.system.forces) force = before_leaks(force, scene_->state.time, leaks_);
   if (scene.system.colliders.size() == start.colliders.size())
     for (std::size_t c = 0; c < start.colliders.size(); ++c) scene.system.colliders[c].shape = start.colliders[c].shape;
   return scene;

@@ -1,12 +1,14 @@
 // The start of a run, to which "Back to start" leads. What was edited since then stays: structure and parameters. What the run did, and
-// the hand in it, does not: positions, velocities, tears, released nails, moved colliders and the time.
+// the hand in it, does not: positions, velocities, tears, gas that has leaked, released nails, moved colliders and the time.
 #pragma once
 
 #include <map>
 #include <memory>
 #include <set>
+#include <vector>
 
 #include "edit/command.h"
+#include "sim/forces/terms/gas_leak.h"
 
 namespace hooke {
 
@@ -25,6 +27,8 @@ class Start {
   void forget_release(PointId point) { released_.erase(point); }
   void forget_releases() { released_.clear(); }
   bool is_released(PointId point) const { return released_.contains(point); }
+  // Records leaks of gas that are changed in the run, from the forces `now` to those after it.
+  void record_leaks(const std::vector<Force>& now, const std::vector<Force>& after);
   // Whether a point is nailed at the start.
   bool is_nailed(PointId point) const;
 
@@ -38,6 +42,7 @@ class Start {
   std::shared_ptr<const Scene> scene_;
   std::map<PointId, Place> added_;
   std::set<PointId> released_;
+  std::vector<LeakChange> leaks_;
 };
 
 }  // namespace hooke

@@ -1,12 +1,16 @@
 // "Back to start", "Set as start", "Reset parameters", and which edits change the document.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lab/lab.h"
 #include "scene/parameters.h"
+#include "sim/forces/terms/gas_leak.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
 #include "support/apply_now.h"
 #include "support/flat_scene.h"
+#include "support/gas_bodies.h"
 
 namespace hooke {
 namespace {
@@ -144,6 +148,80 @@ TEST(BackToStart, AStartMovedAfterAnEarlierRunIsKeptWhenTheTimelineIsUsed) {
   run.ask(GoToTime{0.2});
   run.ask(GoToStart{});
   EXPECT_EQ(run.state().position[2], (Vec3{0.5, 0.0, 0.0}));
+}
+
+// A ball of gas, to which the panel of forces gives another leak.
+struct LeakyFixture : StartFixture {
+  explicit LeakyFixture(double time = 0.0) : StartFixture(leaky_ball(time)) {}
+  static Scene leaky_ball(double time) {
+    const TestSim sim = gas_ball(1, 50.0, {.pressure = 100.0, .leak = 0.5});
+    Scene scene;
+    scene.system = sim.system;
+    scene.state = sim.state;
+    scene.state.time = time;
+    scene.settings.substeps = 20;
+    initialize_ledger(scene.system, scene.state);
+    return scene;
+  }
+  const Force& gas() const { return system().forces.at(0); }
+  void set_leak(double leak) {
+    SetForces set{system().forces};
+    set.forces[0].values[3] = leak;
+    continue_leak(gas(), state().time, set.forces[0]);
+    edit(set);
+  }
+  void set_value(std::size_t index, double value) {
+    SetForces set{system().forces};
+    set.forces[0].values[index] = value;
+    edit(set);
+  }
+};
+
+TEST(BackToStart, BringsBackTheGasThatHasLeakedAndKeepsTheNewLeak) {
+  LeakyFixture run;
+  run.frames(10);
+  run.set_leak(2.0);
+  run.frames(10);
+  run.set_leak(0.1);
+  ASSERT_GT(run.gas().values[4], 0.0);
+  // the timeline changes no forces
+  const Force tuned = run.gas();
+  run.ask(GoToTime{0.0});
+  ASSERT_EQ(run.state().time, 0.0);
+  EXPECT_EQ(run.gas(), tuned);
+  run.ask(Undo{});
+  run.ask(GoToStart{});
+  EXPECT_EQ(run.gas(), gas_force({.pressure = 100.0, .leak = 0.1}));
+  // and again, after undoing that
+  run.ask(Undo{});
+  ASSERT_GT(run.gas().values[4], 0.0);
+  run.ask(GoToStart{});
+  EXPECT_EQ(run.gas(), gas_force({.pressure = 100.0, .leak = 0.1}));
+}
+
+TEST(BackToStart, KeepsWhatThePumpAndTheStartOfTheLeakWereSetTo) {
+  LeakyFixture run;
+  run.frames(10);
+  run.set_leak(2.0);
+  run.set_value(0, 300.0);
+  run.ask(GoToStart{});
+  EXPECT_EQ(run.gas(), gas_force({.pressure = 300.0, .leak = 2.0}));
+  run.frames(10);
+  run.set_value(4, 0.1);
+  run.ask(GoToStart{});
+  EXPECT_EQ(run.gas(), gas_force({.pressure = 300.0, .leak = 2.0, .leak_start = 0.1}));
+}
+
+// Of a document that starts in the middle of a run, what had leaked before is gone.
+TEST(BackToStart, KeepsWhatHadLeakedBeforeTheStart) {
+  LeakyFixture run(3.0);
+  run.frames(10);
+  run.set_leak(2.0);
+  run.ask(GoToStart{});
+  const Force& gas = run.gas();
+  EXPECT_EQ(gas.values[4], 3.0);
+  EXPECT_EQ(gas.values[3], 2.0);
+  EXPECT_NEAR(gas.values[0], 100.0 * std::exp(-0.5 * 3.0), 1e-12);
 }
 
 TEST(SetAsStart, MakesTheStateOnScreenTheOneToGoBackTo) {
