@@ -209,7 +209,7 @@ constexpr std::array rows{
               .read = [](const Scene& s) { return s.system.contact.faces ? 1.0 : 0.0; },
               .write = [](Scene& s, double value) { s.system.contact.faces = value != 0.0; }},
     Parameter{.name = "contact_springs", .field = "contact.springs", .group = parameter_group::contact, .label = "Springs touch", .unit = "",
-              .description = "Whether springs that are not between points of faces collide with each other, such as ropes, with faces, and with points on no spring.",
+              .description = "Whether springs collide with each other, such as ropes, with faces, and with points on no spring; where faces collide, not springs between two points of faces.",
               .kind = Kind::Switch, .default_value = 0, .omit_if_default = true,
               .read = [](const Scene& s) { return s.system.contact.springs ? 1.0 : 0.0; },
               .write = [](Scene& s, double value) { s.system.contact.springs = value != 0.0; }},

@@ -1,10 +1,12 @@
 // The scene file: defaults, warnings, what is kept.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "formats/scene_file.h"
+#include "sim/contact/surface/surface_plan.h"
 #include "sim/integrator.h"
 #include "support/parse_text.h"
 
@@ -132,6 +134,35 @@ TEST(SceneFile, SpringsThatPassThroughFacesOfOtherPartsAreReported) {
     EXPECT_TRUE(warnings(quiet).empty()) << quiet;
   EXPECT_TRUE(warnings(R"({"faces": true})", "2, 3").empty());
   EXPECT_TRUE(warnings(R"({"faces": true})", "3, 4", "true").empty());
+}
+
+// Two faces, and springs from one to the other.
+TEST(SceneFile, SpringsFromOneSurfaceToAnotherAreReportedSinceTheyTouchNothing) {
+  const auto text = [](const std::string& contact, const std::string& springs) {
+    return R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}, {"position": [0, 1, 0]}, {"position": [0, 0, 2]},
+              {"position": [1, 0, 2]}, {"position": [0, 1, 2]}, {"position": [0, 0, 1]}], "faces": [[0, 1, 2], [3, 4, 5]], "springs": [)" +
+           springs + R"(], "contact": {"thickness": 0.06, )" + contact + "}}";
+  };
+  const auto touching_springs = [&](const std::string& scene) {
+    const auto pieces = plan_surface(parse_scene(scene, "test.json").scene.system).pieces;
+    return std::ranges::count_if(pieces, [](const SurfacePlan::Piece& piece) { return !piece.is_face && !piece.is_sphere(); });
+  };
+  const std::string both = R"("faces": true, "springs": true)", spring = R"({"points": [0, 3], "stiffness": 1})",
+                    other = R"(, {"points": [1, 4], "stiffness": 1})",
+                    divided = R"({"points": [0, 6], "stiffness": 1}, {"points": [6, 3], "stiffness": 1})";
+  EXPECT_EQ(warnings_of(text(both, spring)),
+            std::vector<std::string>{"test.json: contact.springs: 1 spring leads from one surface to another, that of points 0 and 3, and "
+                                     "touches nothing: a point of no face that divides it lets both halves touch"});
+  EXPECT_EQ(warnings_of(text(both, spring + other)).at(0).substr(0, 90),
+            "test.json: contact.springs: 2 springs lead from one surface to another, such as that of po");
+  // what it says
+  EXPECT_EQ(touching_springs(text(both, spring)), 0);
+  EXPECT_EQ(touching_springs(text(both, divided)), 2);
+  // along a surface, short ones, and where faces do not touch
+  for (const std::string& quiet : {divided, std::string(R"({"points": [0, 1], "stiffness": 1})"),
+                                   std::string(R"({"points": [0, 3], "stiffness": 1, "rest_length": 0.01})")})
+    EXPECT_TRUE(warnings_of(text(both, quiet)).empty()) << quiet;
+  EXPECT_EQ(touching_springs(text(R"("springs": true)", spring)), 1);
 }
 
 // Two faces of an edge, in either order of their corners.

@@ -60,6 +60,41 @@ std::optional<std::string> close_start_warning(const System& system, const State
          ": they separate slowly, which may stretch springs and so supply energy";
 }
 
+// Springs that may touch, unless both ends are on faces: those of a lattice cross each other at rest.
+bool is_thread(const Spring& spring) {
+  return (spring.family == SpringFamily::None || spring.family == SpringFamily::Structural) && spring.first != spring.second;
+}
+
+// Springs between two points of faces touch nothing. In a sheet or a solid, faces are in front of them; a spring that leads from one surface
+// to another has none. Springs shorter than the thickness keep two surfaces together.
+std::optional<std::string> bridge_warning(const System& system) {
+  if (!system.contact.faces || !system.contact.springs || system.dimensions == 2 || system.faces.empty()) return std::nullopt;
+  const auto n = static_cast<std::size_t>(system.point_count());
+  DisjointSets surfaces(n);
+  std::vector<char> is_on_face(n, 0);
+  for (const Face& face : system.faces)
+    for (const PointId id : face.points) {
+      const Index i = system.index_of(id);
+      surfaces.join(system.index_of(face.points[0]), i);
+      is_on_face[i] = 1;
+    }
+  const double thickness = plan_surface(system).max_thickness;
+  std::size_t count = 0;
+  Index first = 0, second = 0;
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    const bool is_bridge = is_thread(spring) && is_on_face[i] != 0 && is_on_face[j] != 0 && surfaces.root(i) != surfaces.root(j);
+    if (!is_bridge || spring.rest_length <= thickness) continue;
+    if (count++ == 0) first = i, second = j;
+  }
+  if (count == 0) return std::nullopt;
+  const std::string ends = " that of points " + std::to_string(first) + " and " + std::to_string(second);
+  return "contact.springs: " +
+         (count == 1 ? "1 spring leads from one surface to another," + ends + ", and touches"
+                     : std::to_string(count) + " springs lead from one surface to another, such as" + ends + ", and touch") +
+         " nothing: a point of no face that divides it lets both halves touch";
+}
+
 // Faces, and springs of parts without any, of which only one kind touches: the other passes through. Parts are what springs and faces hold
 // together; the springs inside solids are behind faces.
 std::optional<std::string> one_sided_warning(const System& system) {
@@ -81,8 +116,7 @@ std::optional<std::string> one_sided_warning(const System& system) {
   const bool faces_move = moves[parts.root(system.index_of(face.points[0]))] != 0;
   for (const Spring& spring : system.springs()) {
     const Index i = system.index_of(spring.first), j = system.index_of(spring.second), part = parts.root(i);
-    const bool is_thread = spring.family == SpringFamily::None || spring.family == SpringFamily::Structural;
-    if (!is_thread || i == j || has_faces[part] != 0 || (moves[part] == 0 && !faces_move)) continue;
+    if (!is_thread(spring) || has_faces[part] != 0 || (moves[part] == 0 && !faces_move)) continue;
     const auto name_of = [&](int corner) { return std::to_string(system.index_of(face.points[corner])); };
     return std::string(contact.faces ? "contact.springs" : "contact.faces") + ": off: springs such as that of points " + std::to_string(i) +
            " and " + std::to_string(j) + " pass through faces such as that of points " + name_of(0) + ", " + name_of(1) + " and " +
@@ -98,6 +132,7 @@ std::vector<std::string> crossing_warnings(const System& system, const State& st
   if (system.contact.faces && system.dimensions == 2)
     warnings.emplace_back("contact.faces: faces touch in scenes of 3 dimensions only: this one has 2");
   if (auto warning = one_sided_warning(system)) warnings.push_back(*std::move(warning));
+  if (auto warning = bridge_warning(system)) warnings.push_back(*std::move(warning));
   const CrossedParts crossed = find_crossed_parts(system, state);
   for (const CrossedText& text : describe(crossed, system))
     warnings.push_back(std::string(text.setting) + ": " + text.count + text.detail + ": " + text.consequence);
