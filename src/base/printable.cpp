@@ -29,6 +29,9 @@ CodePoint first_code_point(std::string_view text) {
   return value < min[length] || value > 0x10ffff || surrogate ? CodePoint{} : CodePoint{value, length};
 }
 
+// Whether a byte of UTF-8 continues a character: text is not divided before it.
+bool is_in_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
+
 // C0, DEL, C1, line separators, and marks that change the writing direction.
 bool is_control(std::uint32_t c) {
   return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x2028 || c == 0x2029 || (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
@@ -65,9 +68,16 @@ std::string printable(std::string_view text) {
 
 std::string printable(std::string_view text, std::size_t max) {
   if (text.size() <= max) return printable(text);
-  // not in the middle of a character
-  while (max > 0 && (static_cast<unsigned char>(text[max]) & 0xc0) == 0x80) --max;
+  while (max > 0 && is_in_character(text[max])) --max;
   return printable(text.substr(0, max)) + "...";
+}
+
+std::string without_middle(std::string_view text, std::size_t max) {
+  if (text.size() <= max) return std::string(text);
+  std::size_t begin = max / 2, end = text.size() - max / 2;
+  while (begin > 0 && is_in_character(text[begin])) --begin;
+  while (end < text.size() && is_in_character(text[end])) ++end;
+  return std::string(text.substr(0, begin)) + "..." + std::string(text.substr(end));
 }
 
 bool is_utf8(std::string_view text) {

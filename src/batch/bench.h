@@ -46,7 +46,8 @@ struct BenchResults {
 // Throws InputError, FileError.
 BenchResults run_bench(const BenchRequest& request, const BenchHooks& hooks);
 
-// The results in these folders together, and what is missing. Throws InputError if they were measured under different conditions, FileError.
+// The results in these folders together, and what is missing. Throws InputError if they were measured under different conditions,
+// FileError.
 MergedResults merge_benches(const std::vector<std::filesystem::path>& folders);
 
 // The built-in problems, for quick ones only those that are fast.

@@ -24,7 +24,7 @@ void give_back_long_blocks() {
 }
 
 int report(const std::string& what, int code) {
-  std::cerr << "hooke-headless: " << what << "\n";
+  std::cerr << "hooke-headless: " << without_middle(what) << "\n";
   return code;
 }
 

@@ -31,7 +31,7 @@ struct EnergyBalance {
 struct Accuracy {
   bool is_on = false;
   std::string_view off_reason = "switched off";  // why nothing is measured, if it is not on
-  double size = 1.0;  // [m], largest extent of the scene: errors are shown relative to it
+  double size = 1.0;                             // [m], largest extent of the scene: errors are shown relative to it
 
   // [m], RMS and maximum over the points, of the frame that ended at `frame_time`, made by the method within that one frame
   Measured frame, frame_max;

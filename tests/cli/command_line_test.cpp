@@ -100,6 +100,27 @@ TEST(Headless, RefusedInputIsCodeThreeWithOneLineOnStderr) {
   EXPECT_FALSE(fs::exists(scratch.folder / "out.json"));
 }
 
+TEST(Headless, MessagesDoNotRepeatAllOfALongArgument) {
+  const std::string name(100'000, 'A');
+  for (const std::vector<std::string>& words : {std::vector<std::string>{name},
+                                                {"run", name, "--seconds", "0.1"},
+                                                {"run", "two_masses", "--seconds", name},
+                                                {"run", "two_masses", "--seconds", "0.1", name},
+                                                {"run", "two_masses", "--seconds", "0.1", "--" + name},
+                                                {"run", "two_masses", "--seconds", "0.1", "--json", name},
+                                                {"run", "rope_64", "--seconds", "0.1", "--engine", name},
+                                                {"capture", "two_masses", "--out", name},
+                                                {"check", name},
+                                                {"replay", name},
+                                                {"convert", "two_masses", name}}) {
+    const Outcome outcome = headless(words);
+    EXPECT_TRUE(outcome.code == 2 || outcome.code == 5) << outcome.err;
+    EXPECT_EQ(lines_of(outcome.err).size(), 1u);
+    EXPECT_LT(outcome.err.size(), 2100u) << words[0];
+    EXPECT_NE(outcome.err.find(": ", 20), std::string::npos) << "the reason: " << outcome.err;
+  }
+}
+
 TEST(Headless, AFileThatCannotBeReadOrWrittenIsCodeFive) {
   const ScratchFolder scratch;
   const std::string nowhere = (scratch.folder / "none" / "x.json").string();

@@ -40,7 +40,8 @@ TEST(BadForces, AFileMayExceedTheRangesOfTheSlidersExceptAMinimumOfZeroOrMore) {
       const ForceParameter& row = term.numbers[i];
       if (!row.choices.empty()) continue;
       const double above = 1.5 * row.max, below = row.min - 1.0;
-      EXPECT_EQ(scene_with_force(term.id, row.name, format_exact(above)).system.forces.at(0).values[i], above) << term.id << ' ' << row.name;
+      EXPECT_EQ(scene_with_force(term.id, row.name, format_exact(above)).system.forces.at(0).values[i], above)
+          << term.id << ' ' << row.name;
       const std::string refusal = refusal_of(term.id, row.name, format_exact(below));
       EXPECT_EQ(refusal.empty(), row.min < 0.0) << term.id << ' ' << row.name;
       if (row.min < 0.0) continue;

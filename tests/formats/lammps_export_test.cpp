@@ -73,7 +73,8 @@ TEST(LammpsExport, NamesWhatLammpsCannotRepresent) {
 
 TEST(LammpsExport, LimitsOfSpringsAreNoObstacleWithoutSprings) {
   EXPECT_TRUE(unsupported_by_lammps(two_points(R"("break_strain": 0.5, "strain_limit_percent": 10)")).empty());
-  EXPECT_EQ(unsupported_by_lammps(two_points(with_spring("") + R"(, "break_strain": 0.5)")), std::vector<std::string>{"springs that break"});
+  EXPECT_EQ(unsupported_by_lammps(two_points(with_spring("") + R"(, "break_strain": 0.5)")),
+            std::vector<std::string>{"springs that break"});
 }
 
 TEST(LammpsExport, RefusesFileNamesThatLammpsCannotRead) {

@@ -154,7 +154,8 @@ TEST(BenchFiles, AreReadBackAsWritten) {
 // What merging results with these parts, one per file, says is missing.
 std::string missing_of(const std::vector<PartRecord>& parts) {
   std::vector<std::pair<std::string, Results>> files;
-  for (const PartRecord& part : parts) files.emplace_back("bench.json", Results{.conditions = {}, .date = {}, .parts = {part}, .problems = {}});
+  for (const PartRecord& part : parts)
+    files.emplace_back("bench.json", Results{.conditions = {}, .date = {}, .parts = {part}, .problems = {}});
   return merge_results(files).missing;
 }
 

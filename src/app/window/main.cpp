@@ -12,6 +12,7 @@
 #include "app/app.h"
 #include "app/document/files.h"
 #include "app/window/loop.h"
+#include "base/printable.h"
 #include "formats/open_file.h"
 #include "lab/recording.h"
 
@@ -23,7 +24,7 @@ constexpr std::string_view commands[] = {"run", "capture", "bench", "check", "co
 constexpr const char* start_scene = "cloth";
 
 int print_error(int code, const std::string& line) {
-  std::cerr << "hooke: " << line << "\n";
+  std::cerr << "hooke: " << without_middle(line) << "\n";
   return code;
 }
 
@@ -68,7 +69,7 @@ int open_window(const std::string& name, bool from_desktop) {
     app = open_scene(name);
   } catch (const std::runtime_error& refusal) {  // InputError or FileError
     if (!from_desktop) throw;
-    std::cerr << "hooke: " << refusal.what() << "\n";
+    print_error(exit_refused, refusal.what());
     app = open_scene(start_scene);
     app->document().open(full_path(name));  // is refused again, with a message in the window
   }

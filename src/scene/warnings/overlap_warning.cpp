@@ -65,8 +65,8 @@ bool is_thread(const Spring& spring) {
   return (spring.family == SpringFamily::None || spring.family == SpringFamily::Structural) && spring.first != spring.second;
 }
 
-// Springs between two points of faces touch nothing. In a sheet or a solid, faces are in front of them; a spring that leads from one surface
-// to another has none. Springs shorter than the thickness keep two surfaces together.
+// Springs between two points of faces touch nothing. In a sheet or a solid, faces are in front of them; a spring that leads from one
+// surface to another has none. Springs shorter than the thickness keep two surfaces together.
 std::optional<std::string> bridge_warning(const System& system) {
   if (!system.contact.faces || !system.contact.springs || system.dimensions == 2 || system.faces.empty()) return std::nullopt;
   const auto n = static_cast<std::size_t>(system.point_count());

@@ -19,8 +19,8 @@ struct LeakChange {
 // Whether `after` continues the leak of `before`.
 bool is_leak_continued(const Force& before, const Force& after);
 
-// The force `now` at a `time` [s] before these changes, given in their order: what leaked after that time is back. The leak and what else was
-// changed stay.
+// The force `now` at a `time` [s] before these changes, given in their order: what leaked after that time is back. The leak and what else
+// was changed stay.
 Force before_leaks(const Force& now, double time, std::span<const LeakChange> changes);
 
 }  // namespace hooke
