@@ -219,7 +219,7 @@ constexpr std::array rows{
               .read = [](const Scene& s) { return s.system.contact.thickness; },
               .write = [](Scene& s, double value) { s.system.contact.thickness = value; }},
     Parameter{.name = "contact_restitution", .field = "contact.restitution", .group = parameter_group::contact, .label = "Restitution of contact", .unit = "",
-              .description = "Ratio of the normal speeds after and before an impact of points, faces and springs.",
+              .description = "Ratio of the normal speeds after and before an impact of points, faces and springs; 0 for what only continuous collision detection keeps apart.",
               .min = 0, .max = 1, .default_value = 0, .physical = {.min = 0, .max = 1}, .omit_if_default = true, .applies = has_contact_in_scene,
               .read = [](const Scene& s) { return s.system.contact.restitution; },
               .write = [](Scene& s, double value) { s.system.contact.restitution = value; }},
