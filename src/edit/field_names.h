@@ -35,8 +35,8 @@ template <> inline constexpr std::array<std::string_view, 2> field_names<Patch> 
 template <> inline constexpr std::array<std::string_view, 8> field_names<EnergyLedger> = {
     "given", "scale", "hand_stretch", "extent", "speed", "reversible", "min_reversible", "max_reversible"};
 template <> inline constexpr std::array<std::string_view, 4> field_names<MethodMemory> = {"step", "error", "choice", "islands"};
-template <> inline constexpr std::array<std::string_view, 20> field_names<MethodChoice> = {
-    "method", "substeps", "min_substeps", "period", "until_estimate", "interval", "until_selection", "selected_substeps", "next_substeps",
+template <> inline constexpr std::array<std::string_view, 21> field_names<MethodChoice> = {
+    "method", "substeps", "min_substeps", "resolves_collider", "period", "until_estimate", "interval", "until_selection", "selected_substeps", "next_substeps",
     "until_bound", "frequency",
     "ratio", "breaks", "target", "cost", "budget", "rates", "speed", "recent_speed", "recent_turning"};
 
@@ -71,7 +71,7 @@ template <class T>
 requires HasFields<std::remove_const_t<T>>
 auto members_of(T& value) {
   constexpr std::size_t count = field_names<std::remove_const_t<T>>.size();
-  static_assert(count <= 9 || count == 11 || count == 20);
+  static_assert(count <= 9 || count == 11 || count == 21);
   if constexpr (count == 0) {
     return std::tuple<>();
   } else if constexpr (count == 1) {
@@ -98,9 +98,9 @@ auto members_of(T& value) {
   } else if constexpr (count == 8) {
     auto& [a, b, c, d, e, f, g, h] = value;
     return std::tie(a, b, c, d, e, f, g, h);
-  } else if constexpr (count == 20) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = value;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
+  } else if constexpr (count == 21) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
   } else if constexpr (count == 9) {
     auto& [a, b, c, d, e, f, g, h, i] = value;
     return std::tie(a, b, c, d, e, f, g, h, i);

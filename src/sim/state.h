@@ -30,7 +30,8 @@ struct Integrator;
 struct MethodChoice {
   const Integrator* method = nullptr;
   int substeps = 1;
-  int min_substeps = 1;                   // of the method, for stability
+  int min_substeps = 1;                   // of the method, for stability and what must be resolved
+  bool resolves_collider = false;         // whether an oscillating collider determines that number
   int period = 1, until_estimate = 0;     // [frames], between two estimates of the error, and until the next one
   int interval = 1, until_selection = 0;  // [frames], between two comparisons of methods, and until the next one may be
   int selected_substeps = 0;              // by the last comparison; 0: the scene was edited since

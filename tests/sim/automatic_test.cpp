@@ -149,6 +149,29 @@ TEST(Automatic, SaysWhatItChoseAndWhy) {
   EXPECT_NE(describe(hopeless, settings).find("tolerance not met"), std::string::npos);
 }
 
+TEST(Automatic, NamesAColliderThatOscillatesAsTheLimit) {
+  const auto choice_beside = [](double stiffness, double frequency) {
+    TestSim sim = net(8, stiffness, 0.0);
+    sim.system.colliders = {{.shape = Plane{.point = {0.0, -50.0, 0.0}}, .path = {.amplitude = {0.0, 0.01, 0.0}, .frequency = frequency}}};
+    Plan plan = make_plan(sim.system);
+    Frame frame;
+    sim.state = next_frame(plan, frame, sim.system, automatic(1e-2), sim.state);
+    return *sim.state.memory.choice;
+  };
+  const auto has = [](const MethodChoice& choice, const char* reason) {
+    return describe(choice, automatic(1e-2)).find(reason) != std::string::npos;
+  };
+  // 16 substeps in each of 4 periods; the net alone needs fewer
+  const MethodChoice soft = choice_beside(1e2, 240.0);
+  EXPECT_EQ(soft.substeps, 64);
+  EXPECT_TRUE(has(soft, "64 substeps: limited by a collider that oscillates; the error, ")) << describe(soft, automatic(1e-2));
+  // and more beside a slow plate
+  const MethodChoice stiff = choice_beside(1e6, 1.0);
+  EXPECT_GT(stiff.substeps, 1);
+  EXPECT_FALSE(has(stiff, "collider")) << describe(stiff, automatic(1e-2));
+  EXPECT_TRUE(has(stiff, "limited by stability")) << describe(stiff, automatic(1e-2));
+}
+
 TEST(Automatic, ScenesWithoutMotionCostOneSubstep) {
   TestSim sim;
   sim.nail(Vec3(0.0));

@@ -77,7 +77,8 @@ std::string describe(const MethodChoice& choice, const Settings& settings) {
   else if (choice.breaks)
     text = formatted(": limited by springs that break in this frame; the error is %.1g m/s.", error);
   else if (choice.substeps == choice.min_substeps && choice.min_substeps > 1)
-    text = formatted(": limited by stability; the error, %.1g m/s, is %s the tolerance.", error,
+    text = formatted(": limited by %s; the error, %.1g m/s, is %s the tolerance.",
+                     choice.resolves_collider ? "a collider that oscillates" : "stability", error,
                      error < 0.01 * tolerance ? "far below" : "within");
   else
     text = formatted(": the error is %.1g m/s.", error);

@@ -383,6 +383,7 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
   choice.period =
       std::min(choice.period, max_frames_in_resonance(*choice.method, plan.spectrum, settings.frame_rate, frequency, choice.substeps));
   choice.until_estimate = std::min(choice.until_estimate, choice.period);
+  choice.resolves_collider = choice.min_substeps > 1 && choice.min_substeps == collider_substeps(plan, settings.frame_rate);
   choice.rates = rates;
   choice.target = target;
   choice.budget = settings.budget_ms;

@@ -46,12 +46,6 @@ void free_from_contact(const Plan& plan, std::vector<int>& substeps) {
     if (methods[row]->stability == Stability::LStable && methods[row]->implicit_force_terms) substeps[row] = 1;
 }
 
-// That resolve the oscillations of the colliders: more than the maximum where there are too many.
-int resolving_substeps_of(const Plan& plan, double frame_rate) {
-  const double substeps = std::ceil(1.0 / (frame_rate * plan.resolving_step) * (1.0 - 1e-9));
-  return static_cast<int>(std::clamp(substeps, 1.0, max_automatic_substeps + 1.0));
-}
-
 }  // namespace
 
 bool is_splitting_saturated(const Integrator& method, const Spectrum& spectrum, double step) {
@@ -75,6 +69,11 @@ int stable_substeps(const Integrator& method, const Spectrum& spectrum, double f
   return !(substeps <= max_automatic_substeps) ? max_automatic_substeps + 1 : std::max(1, static_cast<int>(substeps));
 }
 
+int collider_substeps(const Plan& plan, double frame_rate) {
+  const double substeps = std::ceil(1.0 / (frame_rate * plan.resolving_step) * (1.0 - 1e-9));
+  return static_cast<int>(std::clamp(substeps, 1.0, max_automatic_substeps + 1.0));
+}
+
 const std::vector<int>& Trials::stable_substeps(const Plan& plan, double frame_rate, double frequency) {
   const bool is_new = stable_for_any_.empty() || spectrum_ != plan.spectrum || frame_rate_ != frame_rate;
   if (is_new) {
@@ -93,7 +92,7 @@ const std::vector<int>& Trials::stable_substeps(const Plan& plan, double frame_r
       if (beyond_resonance_) substeps = substeps_beyond_resonance(*compared_methods()[row], spectrum_, frame_rate, frequency, substeps);
     }
     if (plan.spectrum.contact) free_from_contact(plan, stable_substeps_);
-    const int resolving = resolving_substeps_of(plan, frame_rate);
+    const int resolving = collider_substeps(plan, frame_rate);
     for (int& substeps : stable_substeps_) substeps = std::max(substeps, resolving);
     resolving_step_ = plan.resolving_step;
     frequency_ = frequency;

@@ -19,6 +19,9 @@ inline constexpr int frames_per_bound = 4, frames_without_bound = 32;
 // The fewest substeps with which no linear mode grows; one more than the maximum if that is not enough.
 int stable_substeps(const Integrator& method, const Spectrum& spectrum, double frame_rate);
 
+// The fewest substeps that resolve the oscillations of the colliders, 1 without any; likewise.
+int collider_substeps(const Plan& plan, double frame_rate);
+
 // Whether the method splits dashpots off that decay within a quarter of a step: then its error is that of the splitting, which is the same
 // for every such method, and falls slowly with the step.
 bool is_splitting_saturated(const Integrator& method, const Spectrum& spectrum, double step);
