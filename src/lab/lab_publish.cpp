@@ -62,10 +62,9 @@ std::shared_ptr<const Snapshot> Lab::snapshot() {
   snapshot->largest_stable_step = largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
   if (scene_.settings.substep() > snapshot->largest_stable_step) {
     const Scene& start = start_.scene() ? *start_.scene() : scene_;
-    snapshot->recommended_margin = recommended_margin(start.system, start.state);
-    const Passage passage = shortest_passage(start.system, start.state);
-    snapshot->recommended_substeps =
-        recommended_substeps(plan_.spectrum, scene_.settings, snapshot->recommended_margin, passage).value_or(0);
+    const StepNeeds needs = step_needs(start.system, start.state);
+    snapshot->recommended_margin = needs.margin;
+    snapshot->recommended_substeps = recommended_substeps(plan_.spectrum, scene_.settings, needs).value_or(0);
   }
   snapshot->divergence = divergence_;
   return snapshot;

@@ -33,6 +33,20 @@ double max_speed(const System& system, const State& state) {
   return max;
 }
 
+struct Oscillation {
+  std::size_t collider = 0;
+  double resolving_step = std::numeric_limits<double>::infinity();  // [s]; infinity: there is none
+};
+Oscillation fastest_oscillation(const System& system) {
+  Oscillation fastest;
+  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
+    ColliderPath path = system.colliders[c].path;
+    if (system.dimensions == 2) path.amplitude.z = 0.0;
+    if (system.colliders[c].solid && path.resolving_step() < fastest.resolving_step) fastest = {c, path.resolving_step()};
+  }
+  return fastest;
+}
+
 std::string describe(const Passage& passage) {
   return "a point may pass the center of a force at " + quantity_text(passage.speed, "m/s", 2) + " and " +
          quantity_text(passage.length, "m", 2);
@@ -54,59 +68,67 @@ std::optional<int> min_stable_substeps(const Integrator& integrator, const Spect
   return std::max(1, static_cast<int>(substeps));
 }
 
-std::optional<int> resolving_substeps(const Passage& passage, const Integrator& integrator, double frame_rate) {
-  const double substeps = std::ceil(1.0 / (frame_rate * longest_step(passage, integrator)) * (1.0 - 1e-9));
+StepNeeds step_needs(const System& system, const State& state) {
+  return {recommended_margin(system, state), shortest_passage(system, state), fastest_oscillation(system).resolving_step};
+}
+
+std::optional<int> resolving_substeps(const StepNeeds& needs, const Integrator& integrator, double frame_rate) {
+  double step = longest_step(needs.passage, integrator);
+  if (integrator.stability != Stability::Adaptive) step = std::min(step, needs.oscillation);
+  const double substeps = std::ceil(1.0 / (frame_rate * step) * (1.0 - 1e-9));
   if (!(substeps <= max_substeps)) return std::nullopt;
   return std::max(1, static_cast<int>(substeps));
 }
 
-std::optional<int> recommended_substeps(const Spectrum& spectrum, const Settings& settings, int margin, const Passage& passage) {
+std::optional<int> recommended_substeps(const Spectrum& spectrum, const Settings& settings, const StepNeeds& needs) {
   const auto limit = min_stable_substeps(*settings.integrator, spectrum, settings.frame_rate);
-  const auto resolving = resolving_substeps(passage, *settings.integrator, settings.frame_rate);
+  const auto resolving = resolving_substeps(needs, *settings.integrator, settings.frame_rate);
   if (!limit || !resolving) return std::nullopt;
-  return std::max(with_margin(*limit, margin), *resolving);
+  return std::max(with_margin(*limit, needs.margin), *resolving);
 }
 
-Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int margin, const Passage& passage) {
+Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, const StepNeeds& needs) {
   const Integrator& method = *settings.integrator;
-  const auto needed = [&](const Integrator& integrator) {
+  const auto substeps_of = [&](const Integrator& integrator) {
     Settings other = settings;
     other.integrator = &integrator;
-    return recommended_substeps(spectrum, other, margin, passage);
+    return recommended_substeps(spectrum, other, needs);
   };
   // a method that amplifies every undamped mode also amplifies transverse motion, which dashpots do not damp
-  if (const auto substeps = needed(method); substeps && method.stability != Stability::None)
+  if (const auto substeps = substeps_of(method); substeps && method.stability != Stability::None)
     return {&method, settings.substeps < *substeps ? *substeps : std::min(max_substeps, 4 * settings.substeps)};
   const Integrator& fallback = default_integrator();
-  if (const auto substeps = needed(fallback)) return {&fallback, *substeps};
+  if (const auto substeps = substeps_of(fallback)) return {&fallback, *substeps};
   // a passage that takes so many steps of the same length takes few that are adapted
-  if (!resolving_substeps(passage, fallback, settings.frame_rate)) return {&adaptive_integrator(), settings.substeps};
+  const auto resolving = resolving_substeps(needs, fallback, settings.frame_rate);
+  if (!resolving) return {&adaptive_integrator(), settings.substeps};
   // its limit is that of listed forces, which are part of the implicit system only in part
   const Integrator& stiff = stiff_integrator();
   const auto substeps = min_stable_substeps(stiff, spectrum, settings.frame_rate);
-  return {&stiff, substeps && *substeps > settings.substeps ? with_margin(*substeps, margin) : settings.substeps};
+  return {&stiff,
+          std::max(*resolving, substeps && *substeps > settings.substeps ? with_margin(*substeps, needs.margin) : settings.substeps)};
 }
 
 std::optional<std::string> step_warning(const System& system, const State& state, const Settings& settings) {
   const Spectrum spectrum = bound_spectrum(system, max_speed(system, state));
-  const Passage passage = shortest_passage(system, state);
+  const StepNeeds needs = step_needs(system, state);
   const Integrator& method = *settings.integrator;
   const bool is_within_limit = settings.substep() <= largest_stable_step(method, spectrum);
-  const auto resolving = resolving_substeps(passage, method, settings.frame_rate);
+  // oscillations of colliders have a warning of their own
+  const auto resolving = resolving_substeps(StepNeeds{.passage = needs.passage}, method, settings.frame_rate);
   if (is_within_limit && resolving && settings.substeps >= *resolving) return std::nullopt;
 
   const std::string id(method.id);
-  const int margin = recommended_margin(system, state);
-  const Advice advice = suggest_stepping(spectrum, settings, margin, passage);
+  const Advice advice = suggest_stepping(spectrum, settings, needs);
   if (const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate); limit && advice.integrator == &method) {
     // the bound of a listed force is that of its strongest point, which the scene may never reach
     const bool is_of_forces = std::hypot(spectrum.force_omega, spectrum.estimated_omega) > 0.5 * spectrum.omega;
-    const bool has_margin = is_within_limit || *limit <= max_substeps / margin;
+    const bool has_margin = is_within_limit || *limit <= max_substeps / needs.margin;
     const std::string recommended =
         has_margin ? std::to_string(advice.substeps) + " are recommended" + consequence_of(advice.substeps, settings.substeps)
                    : "no number of substeps has the recommended margin";
     const std::string few = "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id + " here: ";
-    if (is_within_limit) return few + describe(passage) + "; " + recommended;
+    if (is_within_limit) return few + describe(needs.passage) + "; " + recommended;
     return few +
            (is_short_without_contact(settings, spectrum) ? "contact may cause growth with fewer than " : "its linear stability limit is ") +
            count_substeps(*limit) + " per frame" + (is_of_forces ? " where the listed forces are strongest; " : "; ") + recommended;
@@ -128,16 +150,7 @@ std::optional<std::string> step_warning(const System& system, const State& state
 }
 
 std::optional<std::string> oscillation_warning(const System& system, const Settings& settings) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  double step = infinity;
-  std::size_t fastest = 0;
-  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
-    ColliderPath path = system.colliders[c].path;
-    if (system.dimensions == 2) path.amplitude.z = 0.0;
-    if (!system.colliders[c].solid || !(path.resolving_step() < step)) continue;
-    step = path.resolving_step();
-    fastest = c;
-  }
+  const auto [fastest, step] = fastest_oscillation(system);
   const double needed = std::ceil(1.0 / (settings.frame_rate * step) * (1.0 - 1e-9));
   const int available = is_automatic(settings) ? max_automatic_substeps : settings.substeps;
   const bool adapts = settings.integrator->stability == Stability::Adaptive && !is_automatic(settings);

@@ -1,6 +1,7 @@
 // Steps within the linear stability limit of a method on a scene, and the warning about a longer one.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -21,15 +22,23 @@ struct Advice {
 // The minimum number of substeps per frame within the linear stability limit of the method on this scene; none if no step is stable.
 std::optional<int> min_stable_substeps(const Integrator& integrator, const Spectrum& spectrum, double frame_rate);
 
-// The current method with enough substeps or, if none are enough, another method. Not tested on the scene (study/remedy/remedy.h).
-// `margin`, `passage`: recommended_margin and shortest_passage of the state from which it runs.
-Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int margin = default_margin, const Passage& passage = {});
+// What steps have to resolve besides the linear limit.
+struct StepNeeds {
+  int margin = default_margin;                                   // below that limit (recommended_margin)
+  Passage passage{};                                             // shortest_passage
+  double oscillation = std::numeric_limits<double>::infinity();  // [s], the longest step that resolves the oscillations of colliders
+};
+// `state`: the one from which the scene runs.
+StepNeeds step_needs(const System& system, const State& state);
 
-// The fewest substeps per frame with which the method resolves the passage, 1 without one; none if there are too many.
-std::optional<int> resolving_substeps(const Passage& passage, const Integrator& integrator, double frame_rate);
+// The current method with enough substeps or, if none are enough, another method. Not tested on the scene (study/remedy/remedy.h).
+Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, const StepNeeds& needs = {});
+
+// The fewest substeps per frame with which the method resolves passages and oscillations, 1 without any; none if there are too many.
+std::optional<int> resolving_substeps(const StepNeeds& needs, const Integrator& integrator, double frame_rate);
 
 // The fewest substeps per frame that are recommended with the current method; none if there are too many.
-std::optional<int> recommended_substeps(const Spectrum& spectrum, const Settings& settings, int margin, const Passage& passage);
+std::optional<int> recommended_substeps(const Spectrum& spectrum, const Settings& settings, const StepNeeds& needs);
 
 // A warning about a step beyond the linear limit of the method on this scene, or too long for the passage of a point through the core of a
 // force: "FIELD: VALUE: ...", with names of the scene file.

@@ -23,7 +23,7 @@ struct Snapshot {
   double omega = 0.0;                         // [rad/s], bound on the highest frequency
   double largest_stable_step = 0.0;           // [s], linear limit of this method on this scene; 0: none, infinity: any step
   int recommended_margin = 0;                 // (integrator.h) of the start of the run; 0: the step is within the limit
-  int recommended_substeps = 0;               // per frame, likewise, also for the passage of points through the cores of forces
+  int recommended_substeps = 0;               // per frame, likewise, also for passages through the cores of forces, and colliders
   std::optional<Divergence> divergence;       // the last frame was rejected; state is the one before it
 
   const Vec3& position(PointId id) const { return state.position[system->index_of(id)]; }

@@ -53,10 +53,17 @@ class Frames {
   const std::atomic<bool>& stop_;
 };
 
+// The fewest that are stable and resolve the oscillations of the colliders; none if the latter are too many.
+std::optional<int> min_substeps(const Plan& plan, const Integrator& method, double frame_rate) {
+  const auto resolving = resolving_substeps({.oscillation = plan.resolving_step}, method, frame_rate);
+  if (!resolving) return std::nullopt;
+  return std::max(*resolving, min_stable_substeps(method, plan.spectrum, frame_rate).value_or(1));
+}
+
 // Far more accurate than the present settings.
-Settings exact(const System& system, const Settings& settings, const Spectrum& spectrum) {
+Settings exact(const System& system, const Settings& settings, const Plan& plan) {
   if (!has_contact(system)) return {.integrator = &dop853, .frame_rate = settings.frame_rate, .substeps = 1, .tolerance = 1e-13};
-  const int stable = min_stable_substeps(blanes_moan4, spectrum, settings.frame_rate).value_or(settings.substeps);
+  const int stable = min_substeps(plan, blanes_moan4, settings.frame_rate).value_or(settings.substeps);
   return {.integrator = &blanes_moan4, .frame_rate = settings.frame_rate, .substeps = 8 * std::max(stable, settings.substeps)};
 }
 
@@ -66,7 +73,7 @@ std::optional<CheaperMethod> find_cheaper_method(const System& system, const Sta
                                                  const std::atomic<bool>& stop) {
   if (system.point_count() == 0 || is_automatic(settings)) return std::nullopt;
   Frames frames(system, state, stop);
-  const auto reference = frames.compute(exact(system, settings, frames.plan().spectrum));
+  const auto reference = frames.compute(exact(system, settings, frames.plan()));
   const auto present = frames.compute(settings);
   if (!reference || !present) return std::nullopt;
   const auto error_of = [&](const Frames::Result& result) { return weighted_distance(result.position, reference->position, 1.0).rms; };
@@ -83,7 +90,7 @@ std::optional<CheaperMethod> find_cheaper_method(const System& system, const Sta
     trial.integrator = &method;
     trial.tolerance.reset();
     // a quarter more than the fewest stable ones, or one, until the error is small enough
-    trial.substeps = min_stable_substeps(method, frames.plan().spectrum, settings.frame_rate).value_or(1);
+    trial.substeps = min_substeps(frames.plan(), method, settings.frame_rate).value_or(max_substeps + 1);
     if (trial.substeps > 1) trial.substeps += (trial.substeps + 3) / 4;
     while (trial.substeps <= max_substeps) {
       const auto result = frames.compute(trial, max_seconds);

@@ -57,8 +57,11 @@ Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
   if (is_adaptive(method)) return {.tolerance = 1e-8 * benchmark.problem().size};
   const double limit = largest_stable_step(method, benchmark.spectrum());
   const double part = benchmark.problem().seconds / snapshot_count;
-  if (!(limit > 0.0) || !std::isfinite(limit)) return {.steps = 64};
-  return {.steps = std::max(4, static_cast<int>(std::ceil(2.0 * part / limit)))};
+  // steps that do not resolve an oscillation of a collider, and halves of them, may all see it at the same phases
+  constexpr double max_steps = 1e9;
+  const int resolving = static_cast<int>(std::min(max_steps, std::ceil(part / benchmark.resolving_step())));
+  if (!(limit > 0.0) || !std::isfinite(limit)) return {.steps = std::max(64, resolving)};
+  return {.steps = std::max({4, resolving, static_cast<int>(std::ceil(2.0 * part / limit))})};
 }
 
 // Refines until the solution no longer changes, round-off dominates or the time limit is reached. A run that exceeds it is abandoned: with

@@ -2,6 +2,7 @@
 
 #include "scene/step_limits.h"
 #include "sim/integrator.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -29,6 +30,18 @@ TEST(OscillationWarning, IsNotGivenForMethodsThatResolveItThemselves) {
             "colliders[0].frequency: 1000000: is not resolved by 65536 substeps per frame, the maximum of auto");
   EXPECT_EQ(oscillation_warning(with_plates({2e7}), settings_with("xpbd", 2)),
             "colliders[0].frequency: 2×10⁷: is not resolved by 2 substeps per frame, nor by 1000000");
+}
+
+// Also where another limit is exceeded as well, with fewer substeps than the plate needs.
+TEST(OscillationWarning, EveryRecommendedNumberResolvesColliders) {
+  TestSim sim;
+  sim.system.colliders = with_plates({240.0}).colliders;
+  sim.join(sim.nail(Vec3(0.0)), sim.add({1.0, 0.0, 0.0}), 4e4, 1.0);
+  for (const char* id : {"velocity_verlet", "symplectic_euler", "runge_kutta4", "explicit_euler"}) {
+    const std::string warning = step_warning(sim.system, sim.state, settings_with(id, 1)).value_or("");
+    EXPECT_NE(warning.find("64 "), std::string::npos) << warning;
+    EXPECT_NE(warning.find("recommended"), std::string::npos) << warning;
+  }
 }
 
 TEST(OscillationWarning, IgnoresCollidersThatDoNotOscillateOrAreDrawnOnly) {

@@ -9,6 +9,7 @@
 #include "sim/forces/forces.h"
 #include "support/bench_problem.h"
 #include "support/sanitizer_slowdown.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -50,6 +51,20 @@ TEST(BenchProblems, AFingerprintDistinguishesScenesThatDifferInOneStiffness) {
   EXPECT_EQ(fingerprint(problem), fingerprint(other));
   other.system.spring(3)->stiffness *= 1.0 + 1e-15;
   EXPECT_NE(fingerprint(problem), fingerprint(other));
+}
+
+// All halves of a quarter of a second down to 1/240 s end at the same phase of the plate.
+TEST(BenchReference, ResolvesCollidersThatOscillate) {
+  TestSim sim;
+  sim.add({0.0, 0.1, 0.0});
+  sim.system.colliders = {
+      {.shape = Plane{}, .restitution = 0.5, .path = {.amplitude = {0.0, 1e-3, 0.0}, .frequency = 960.0, .phase = 1.0}}};
+  const Problem problem = problem_of({sim.system, sim.state}, 1.0);
+  Benchmark benchmark(problem);
+  const ReferenceResult result = compute_reference(benchmark, 0.5 * sanitizer_slowdown, always);
+  if (!result.reference) return;
+  for (const Refinement* each : {&result.reference->own, &result.reference->other})
+    EXPECT_TRUE(is_adaptive(*each->method) || each->setting.steps >= 16 * 240) << each->setting_name;
 }
 
 TEST(BenchReference, TwoMethodsAgreeAndASmallPerturbationStaysSmall) {

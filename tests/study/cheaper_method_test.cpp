@@ -20,6 +20,15 @@ TEST(CheaperMethod, IsNoLessAccurateThanThePresentOne) {
   EXPECT_LT(estimate_frame_error(sim.system, proposed, sim.state), 1.5 * estimate_frame_error(sim.system, wasteful, sim.state));
 }
 
+TEST(CheaperMethod, ResolvesCollidersThatOscillate) {
+  TestSim sim = net(8, 1e2, 0.0);
+  sim.system.colliders = {{.shape = Plane{.point = {0.0, -50.0, 0.0}}, .path = {.amplitude = {0.0, 0.01, 0.0}, .frequency = 240.0}}};
+  const Settings wasteful{.integrator = find_integrator("implicit_euler"), .substeps = 640};
+  const auto cheaper = find_cheaper_method(sim.system, sim.state, wasteful, std::atomic<bool>(false));
+  ASSERT_TRUE(cheaper);
+  EXPECT_GE(cheaper->substeps, 64);
+}
+
 TEST(CheaperMethod, ThereIsNoneWhereTheErrorIsRoundingError) {
   TestSim sim;
   sim.add(Vec3(0.0));

@@ -103,7 +103,7 @@ TEST(Passage, KeepsItsEnergyWithTheRecommendedNumberOfSubsteps) {
       const Integrator& method = *find_integrator(id);
       const Spectrum spectrum = bound_spectrum(network.system);
       const Passage passage = shortest_passage(network.system, network.state);
-      const auto substeps = recommended_substeps(spectrum, {.integrator = &method}, default_margin, passage);
+      const auto substeps = recommended_substeps(spectrum, {.integrator = &method}, {.passage = passage});
       ASSERT_TRUE(substeps);
       const FallOutcome outcome = fall(network, {.integrator = &method, .substeps = *substeps}, 4.0);
       EXPECT_LT(outcome.gain, 0.05 * passage.energy) << id << " " << start.power << " " << *substeps;

@@ -30,6 +30,18 @@ TestSim hanging_mass(double m, double k, double l0) {
   return sim;
 }
 
+// At 240 Hz, frames and halves of them end at the same phase: the run would appear to be independent of the step.
+TEST(ResultCheck, DoesNotCallUnresolvedOscillationsIndependentOfTheStep) {
+  TestSim sim;
+  sim.add({0.0, 0.1, 0.0});
+  sim.system.colliders = {{.shape = Plane{}, .restitution = 0.5, .path = {.amplitude = {0.0, 1e-3, 0.0}, .frequency = 240.0}}};
+  EXPECT_EQ(
+      check_result(sim.system, sim.state, {.substeps = 1}, 0.5, always).note,
+      "Not checked, because half the step may be as wrong: colliders[0].frequency: 240: is not resolved by 1 substep per frame; 64 are "
+      "recommended.");
+  EXPECT_EQ(check_result(sim.system, sim.state, {.substeps = 64}, 0.5, always).note, "");
+}
+
 TEST(ResultCheck, ThePeriodIsThatOfTheMethodWithItsStep) {
   // the pendulum is slower than the spring: omega = sqrt(g / (l0 + m g / k))
   const double m = 0.5, k = 50.0, l0 = 0.3;

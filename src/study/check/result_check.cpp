@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "scene/quantity.h"
+#include "scene/step_limits.h"
 #include "sim/frame_error.h"
 #include "study/check/copies.h"
 #include "study/check/finer_network.h"
@@ -180,6 +181,10 @@ ResultCheck check_result(const System& system, const State& state, const Setting
   ResultCheck check{.seconds = seconds};
   if (system.point_count() == 0) {
     check.note = "There is nothing to check: the scene has no points.";
+    return check;
+  }
+  if (const auto warning = oscillation_warning(system, settings)) {
+    check.note = "Not checked, because half the step may be as wrong: " + *warning + ".";
     return check;
   }
   check.size = extent_of(state);

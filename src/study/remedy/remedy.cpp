@@ -59,7 +59,8 @@ Trial run_copy(Scene scene, double seconds, Budget& budget) {
   const double start = scene.state.time, given = budget.left;
   const long frames = std::lround(std::ceil(seconds * scene.settings.frame_rate * (1.0 - 1e-9)));
   Trial trial;
-  for (const auto& warning : {unused_setting_warning(scene.settings), step_warning(scene.system, scene.state, scene.settings)})
+  for (const auto& warning : {unused_setting_warning(scene.settings), step_warning(scene.system, scene.state, scene.settings),
+                              oscillation_warning(scene.system, scene.settings)})
     if (warning) trial.step_warnings.push_back(*warning);
   Lab lab(std::move(scene), KeepStart::No);
   TrialWork work(lab.plan());
@@ -126,20 +127,25 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
   return NotFound;
 }
 
+// At least so many substeps, and those that resolve the oscillations of the colliders, if there are not too many.
+int resolving_oscillations(const StepNeeds& needs, const Integrator& method, double frame_rate, int substeps) {
+  return std::max(substeps, resolving_substeps({.oscillation = needs.oscillation}, method, frame_rate).value_or(1));
+}
+
 // Settings to try, the most likely and cheapest first: the current method and then the default one, each with ever smaller steps, then the
 // methods that are stable at any step, and those that choose their steps: these first where no number of substeps resolves a passage.
 std::vector<Advice> candidates(const Scene& start) {
   const Settings& settings = start.settings;
   const Spectrum spectrum = bound_spectrum(start.system);
-  const int margin = recommended_margin(start.system, start.state);
-  const Passage passage = shortest_passage(start.system, start.state);
+  const StepNeeds needs = step_needs(start.system, start.state);
   std::vector<Advice> list;
   const auto add_refinements = [&](const Integrator& method, int min_substeps) {
     const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate);
-    const auto resolving = resolving_substeps(passage, method, settings.frame_rate);
+    const auto resolving = resolving_substeps(needs, method, settings.frame_rate);
     if (!limit || !resolving || method.stability == Stability::None) return;
     constexpr int refinements = 5;
-    double substeps = std::max({static_cast<double>(min_substeps), static_cast<double>(margin) * *limit, static_cast<double>(*resolving)});
+    double substeps =
+        std::max({static_cast<double>(min_substeps), static_cast<double>(needs.margin) * *limit, static_cast<double>(*resolving)});
     for (int i = 0; i < refinements && substeps <= max_substeps; ++i, substeps *= 2.0)
       list.push_back({&method, static_cast<int>(substeps)});
   };
@@ -148,7 +154,7 @@ std::vector<Advice> candidates(const Scene& start) {
       if (method.stability == Stability::Adaptive && method.for_production && &method != settings.integrator)
         list.push_back({&method, settings.substeps});
   };
-  const bool is_for_adaptive = !resolving_substeps(passage, default_integrator(), settings.frame_rate);
+  const bool is_for_adaptive = !resolving_substeps(needs, default_integrator(), settings.frame_rate);
   if (is_for_adaptive) add_adaptive();
   if (!is_automatic(settings)) add_refinements(*settings.integrator, 2 * std::min(settings.substeps, max_substeps / 2));
   if (settings.integrator != &default_integrator()) add_refinements(default_integrator(), settings.substeps);
@@ -158,7 +164,10 @@ std::vector<Advice> candidates(const Scene& start) {
     // listed forces that are not part of its linear system may limit its step
     if (const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate); limit && *limit > numbers.back())
       numbers.push_back(std::min(max_substeps, 2 * *limit));
-    for (const int substeps : numbers) list.push_back({&method, substeps});
+    for (const int substeps : numbers) {
+      const Advice advice{&method, resolving_oscillations(needs, method, settings.frame_rate, substeps)};
+      if (list.empty() || list.back() != advice) list.push_back(advice);
+    }
   }
   if (!is_for_adaptive) add_adaptive();
   return list;
@@ -191,14 +200,16 @@ std::optional<std::pair<Advice, std::vector<std::string>>> find_implicit(const S
   std::ranges::stable_sort(methods, [](const Integrator* a, const Integrator* b) {
     return std::pair(a->stability == Stability::LStable, a->order) > std::pair(b->stability == Stability::LStable, b->order);
   });
+  const StepNeeds needs = step_needs(from.system, from.state);
   std::optional<std::pair<Advice, std::vector<std::string>>> warned;
   for (const Integrator* one : methods) {
     if (stop) break;
     const Integrator& method = *one;
-    const Advice advice{&method, from.settings.substeps};
+    const Advice advice{&method, resolving_oscillations(needs, method, from.settings.frame_rate, from.settings.substeps)};
     if (progress) progress("Testing " + describe(advice));
     Scene scene = from;
     scene.settings.integrator = &method;
+    scene.settings.substeps = advice.substeps;
     Budget budget{0.25 * default_remedy_work, stop};
     const Trial trial = run_copy(std::move(scene), seconds, budget);
     if (trial.end != Trial::End::Finished || trial.gains) continue;

@@ -75,10 +75,13 @@ void step_remark(const Snapshot& snapshot) {
     const std::string times = std::to_string(snapshot.recommended_margin);
     description = text + ". The linear stability limit is " + number_text(needed) + " substeps per frame; ";
     if (recommended == 0.0) {
-      description += "too many are needed where points pass the center of a force. A method that adapts its steps is recommended.";
+      description +=
+          "too many are needed where points pass the center of a force or colliders oscillate. A method that adapts its steps is "
+          "recommended.";
       short_text = "use " + std::string(adaptive_integrator().id);
     } else if (recommended > with_margin) {
-      description += number_text(recommended) + " are recommended, which resolve how fast points pass the center of a force.";
+      description +=
+          number_text(recommended) + " are recommended, which resolve how fast points pass the center of a force and colliders oscillate.";
       short_text = "use " + number_text(recommended);
     } else {
       description += number_text(recommended) + " are recommended: " + times +
