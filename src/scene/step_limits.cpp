@@ -48,8 +48,8 @@ Oscillation fastest_oscillation(const System& system) {
 }
 
 std::string describe(const Passage& passage) {
-  return "a point may pass the center of a force at " + quantity_text(passage.speed, "m/s", 2) + " and " +
-         quantity_text(passage.length, "m", 2);
+  return std::string("a point may ") + (passage.at_plane ? "reach a plane that attracts it at " : "pass the center of a force at ") +
+         quantity_text(passage.speed, "m/s", 2) + " and " + quantity_text(passage.length, "m", 2);
 }
 
 // Whether the step is within the limit but for contact.

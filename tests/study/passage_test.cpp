@@ -32,9 +32,7 @@ TestNetwork network_of_fall(const Fall& fall) {
 
 // [J], kinetic energy and that of the force, which is on one point.
 double energy_of_fall(const TestNetwork& network, const State& state) {
-  Plan plan;
-  plan.points = 1;
-  plan.mass = plan.inverse_mass = {1.0};
+  const Plan plan = make_plan(network.system);
   const Force& force = network.system.forces.front();
   const double x[] = {state.position[0].x, state.position[0].y, state.position[0].z};
   return kinetic_energy(network.system, state) + force.term->potential(plan, force.values, 0.0, x);
@@ -108,6 +106,79 @@ TEST(Passage, KeepsItsEnergyWithTheRecommendedNumberOfSubsteps) {
       const FallOutcome outcome = fall(network, {.integrator = &method, .substeps = *substeps}, 4.0);
       EXPECT_LT(outcome.gain, 0.05 * passage.energy) << id << " " << start.power << " " << *substeps;
     }
+}
+
+TestNetwork network_above_plane(double strength, double power, double core, double height, double restitution) {
+  TestNetwork network;
+  network.system.gravity = Vec3(0.0);
+  network.system.colliders = {{.shape = Plane{}, .restitution = restitution}};
+  network.add({0.0, height, 0.0}, 1.0, {0.1, -0.3, 0.0});
+  network.system.forces = {force_with("wall", {{"strength", strength}, {"power", power}, {"core", core}})};
+  initialize_ledger(network.system, network.state);
+  return network;
+}
+
+// A plane that attracts is most attractive at the minimum distance, and an impact gives the speed of the fall back.
+TEST(Passage, OntoAPlaneKeepsItsEnergyWithTheRecommendedNumberOfSubsteps) {
+  struct Wall {
+    double strength, power, core, height;
+  };
+  for (const char* id : {"symplectic_euler", "velocity_verlet", "blanes_moan4", "runge_kutta4", "implicit_midpoint", "tr_bdf2", "xpbd"})
+    for (const Wall& wall : {Wall{-1.0, 2.0, 0.02, 1.0}, Wall{-1.0, 3.0, 0.02, 0.5}, Wall{-1.0, 4.0, 0.05, 0.5}, Wall{-5.0, 1.0, 0.01, 1.0},
+                             Wall{-3.0, 1.5, 0.03, 0.7}}) {
+      const TestNetwork network = network_above_plane(wall.strength, wall.power, wall.core, wall.height, 1.0);
+      const StepNeeds needs = step_needs(network.system, network.state);
+      const Integrator& method = *find_integrator(id);
+      const auto substeps = recommended_substeps(bound_spectrum(network.system), {.integrator = &method}, needs);
+      ASSERT_TRUE(substeps);
+      EXPECT_NE(warning_of_fall(network, id, 1).find(std::to_string(*substeps) + " are recommended"), std::string::npos)
+          << warning_of_fall(network, id, 1);
+      EXPECT_EQ(warning_of_fall(network, id, *substeps), "");
+      MonitoredRun run(network, {.integrator = &method, .substeps = *substeps});
+      const double start = energy_of_fall(network, network.state);
+      for (double t = 0.0; t < 3.0; t += 0.05) {
+        run.run(0.05);
+        if (run.state().position[0].y < 0.4 * wall.height) continue;
+        EXPECT_NEAR(energy_of_fall(network, run.state()), start, 0.05 * needs.passage.energy)
+            << id << " " << wall.power << " " << *substeps << " " << t;
+      }
+    }
+}
+
+TEST(Passage, OntoAPlaneIsWarnedAboutWhereItDecidesAboutTheMotion) {
+  const auto warning = [](double strength, double power, double restitution) {
+    return warning_of_fall(network_above_plane(strength, power, 0.02, 0.5, restitution), "velocity_verlet", 148);
+  };
+  EXPECT_NE(warning(-1.0, 3.0, 1.0).find("a point may reach a plane that attracts it at 87 m/s and 0.02 m; "), std::string::npos)
+      << warning(-1.0, 3.0, 1.0);
+  // it stays there; it is repelled; the attraction does not change with the distance
+  for (const double restitution : {0.0, 0.5}) EXPECT_EQ(warning(-1.0, 3.0, restitution), "");
+  EXPECT_EQ(warning(1.0, 3.0, 1.0), "");
+  EXPECT_EQ(warning(-1.0, 0.0, 1.0), "");
+}
+
+// The other center supplies most of the speed.
+TEST(Passage, ThroughOneOfTwoCentersIsAsFastAsBothMakeIt) {
+  TestNetwork network = network_of_fall({.distance = 5.0, .strength = 0.05, .velocity = Vec3(0.0)});
+  network.system.forces.push_back(force_with("center", {{"x", 0.35}, {"strength", 10.0}, {"core", 0.3}}));
+  network.state.position[0].y = 0.0;
+  MonitoredRun run(network, {.integrator = find_integrator("velocity_verlet"), .substeps = 2000});
+  double fastest = 0.0;
+  for (int frame = 0; frame < 1200 && run.frame() && run.state().position[0].x < 0.0; ++frame)
+    fastest = glm::length(run.state().velocity[0]);
+  const Passage passage = shortest_passage(network.system, network.state);
+  EXPECT_GT(passage.speed, fastest);
+  EXPECT_LT(passage.speed, 1.5 * fastest);
+}
+
+// Points of a flat scene pass a center above or below them as if it were among them.
+TEST(Passage, InAFlatSceneDoesNotDependOnTheHeightOfTheCenter) {
+  TestNetwork network = network_of_fall({});
+  network.system.dimensions = 2;
+  const std::string warning = warning_of_fall(network, "velocity_verlet", 20);
+  EXPECT_NE(warning.find("552 are recommended"), std::string::npos) << warning;
+  network.system.forces[0].values[2] = 2.0;
+  EXPECT_EQ(warning_of_fall(network, "velocity_verlet", 20), warning);
 }
 
 TEST(Passage, IsResolvedByTheAutomaticMethod) {

@@ -9,6 +9,7 @@
 
 #include "base/bounds.h"
 #include "base/table.h"
+#include "base/types.h"
 
 namespace hooke {
 
@@ -88,6 +89,8 @@ struct ForceTerm {
   bool (*depends_on_time)(const ForceValues& values) = nullptr;
   // Null: that of a force that is constant or linear in the position of its point.
   ForceCost (*cost)(const Plan& plan, const ForceValues& values) = nullptr;
+  // [J/kg], the potential of a point at this place. Null: it does not depend on the place alone.
+  double (*potential_at)(const System& system, const ForceValues& values, const Vec3& place) = nullptr;
   // The passage of a point through a small region in which the force is strongest (passage.h). Null: there is none.
   Passage (*passage)(const ForceValues& values, const PassingPoint& point) = nullptr;
   // Packs into the Plan, which has the points and faces, what else it needs of the System. Null: nothing.

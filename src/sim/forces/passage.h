@@ -10,15 +10,22 @@
 
 namespace hooke {
 
+struct Force;
 struct Integrator;
 
-// A point before its passage.
+// A point before its passage through a region of `force`.
 struct PassingPoint {
+  const System& system;
+  const Force& force;
   Vec3 position{0.0}, velocity{0.0};
+  double radius = 0.0;    // [m]
   double gravity = 0.0;   // [m/s^2]
   double elastic = 0.0;   // [J/kg], of its springs, which it may get as kinetic energy
   bool is_alone = false;  // nothing but this force acts on it, which keeps its angular momentum about the center
   double within = std::numeric_limits<double>::infinity();  // [s], in which the passage must begin to count
+
+  // [J/kg], what the other listed forces supply on the way to this place; 0 where they take energy.
+  double supplied_by_others(const Vec3& place) const;
 };
 
 // Estimates from the energy of the point, which others do not increase.
@@ -27,6 +34,8 @@ struct Passage {
   double length = 0.0;        // [m], over which the force changes
   double acceleration = 0.0;  // [m/s^2], by the force there, the highest
   double energy = 0.0;        // [J/kg], of the motion far from there, which is little where a point falls deep
+  double exponent = 3.0;      // [1], with which the error falls with the number of steps: 2 where the law has a kink
+  bool at_plane = false;      // the point reaches a plane that attracts it; otherwise it passes a center
 };
 
 // The one that takes the shortest steps of all points that are not nailed, of those that may begin within so many seconds.

@@ -113,6 +113,13 @@ void add_tangent(const Plan& plan, const ForceValues& values, double, const doub
   }
 }
 
+// In a flat scene at z = 0, as its points are.
+Vec3 center_in(const System& system, const ForceValues& values) { return {values[0], values[1], system.dimensions == 3 ? values[2] : 0.0}; }
+
+double potential_at(const System& system, const ForceValues& values, const Vec3& place) {
+  return values[3] * law_of(values).potential(glm::distance(place, center_in(system, values)));
+}
+
 double potential(const Plan& plan, const ForceValues& values, double, const double* x) {
   const Law law = law_of(values);
   double energy = 0.0;
@@ -126,9 +133,10 @@ double potential(const Plan& plan, const ForceValues& values, double, const doub
 Passage passage(const ForceValues& values, const PassingPoint& point) {
   const Law law = law_of(values);
   if (law.power <= -1.0) return {};
-  const Vec3 offset = point.position - Vec3(values[0], values[1], values[2]);
+  const Vec3 center = center_in(point.system, values), offset = point.position - center;
   const double r = glm::length(offset), strength = values[3];
-  const double kinetic = 0.5 * glm::dot(point.velocity, point.velocity) + point.elastic + point.gravity * r;
+  const double far = 0.5 * glm::dot(point.velocity, point.velocity) + point.elastic + point.gravity * r;
+  const double kinetic = far + point.supplied_by_others(center);
   const double momentum = point.is_alone ? glm::length(glm::cross(offset, point.velocity)) : 0.0;
   const double potential = law.potential(r);
   const auto speed_at = [&](double distance) {
@@ -154,7 +162,7 @@ Passage passage(const ForceValues& values, const PassingPoint& point) {
   return {.speed = std::max(speed_at(in_core ? 0.0 : closest), speed_at(r)),
           .length = closest,
           .acceleration = std::abs(strength) * portable::pow(closest, -law.power) * (in_core ? std::max(law.alpha(), 1.0) : 1.0),
-          .energy = kinetic + std::abs(strength) * law.over_distance(r) * r};
+          .energy = far + std::abs(strength) * law.over_distance(r) * r};
 }
 
 }  // namespace
@@ -172,6 +180,7 @@ constinit const ForceTerm center_force{
     .potential = potential,
     .power = nullptr,
     .cost = [](const Plan&, const ForceValues& values) { return cost_of_power_law(values[4], 1.0); },
+    .potential_at = potential_at,
     .passage = passage,
 };
 
