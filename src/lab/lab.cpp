@@ -289,7 +289,7 @@ bool Lab::finish_frame() {
   if (torn) record_tear(*std::move(torn));
   for (std::size_t left = plan_.enclosures.enclosures.size(); left < filled; ++left) gas_releases_.push_back(scene_.state.time);
   hand_lag_ = hand_lag();
-  last_limit_work_ = frame_.motion().limit_work;
+  last_limit_work_ = frame_.motion().limit_work - frame_.motion().limit_gain;
   limit_work_ += last_limit_work_;
   add_to_timeline(true);
   // the clock is a sum of frame durations: compare with a tolerance of half a frame

@@ -12,7 +12,8 @@ namespace {
 // What a step adds to or overwrites besides positions and velocities.
 struct Counters {
   MethodMemory memory;
-  double collider_work, contact_work, hand_work, abs_hand_work, limit_work, force_work, reversible_work, local_error;
+  double collider_work, contact_work, hand_work, abs_hand_work, limit_work, limit_gain, force_work, reversible_work, drag_work,
+      dashpot_work, local_error;
   ForceWork::Memory forces;
   Counters(const Motion& motion, const ForceWork& work)
       : memory(motion.memory),
@@ -21,8 +22,11 @@ struct Counters {
         hand_work(motion.hand_work),
         abs_hand_work(motion.abs_hand_work),
         limit_work(motion.limit_work),
+        limit_gain(motion.limit_gain),
         force_work(motion.force_work),
         reversible_work(motion.reversible_work),
+        drag_work(motion.drag_work),
+        dashpot_work(motion.dashpot_work),
         local_error(motion.local_error),
         forces(work.memory()) {}
   // For another attempt with this step [s]. A memory without an error stands for a first step, whose length the method chooses itself:
@@ -34,8 +38,11 @@ struct Counters {
     motion.hand_work = hand_work;
     motion.abs_hand_work = abs_hand_work;
     motion.limit_work = limit_work;
+    motion.limit_gain = limit_gain;
     motion.force_work = force_work;
     motion.reversible_work = reversible_work;
+    motion.drag_work = drag_work;
+    motion.dashpot_work = dashpot_work;
     motion.local_error = local_error;
     work.restore(forces);
   }
@@ -57,14 +64,17 @@ void restore(const ContactWorkspace& state, Motion& motion) {
 // Without contact and a strain limit a step needs no correction.
 bool has_corrections(const Plan& plan) { return plan.has_contact() || !plan.max_length.empty(); }
 
-// A step of the method alone, with the work of forces along it.
-double advance_freely(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, ForceWork& force_work) {
+// A step of the method alone, with the work of forces and damping along it.
+double advance_freely(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, DampingWork& damping,
+                      ForceWork& force_work) {
   force_work.begin_substep(plan, motion);
+  damping.begin_substep(plan, motion, work);
   const double start = motion.time, h = method.advance(plan, motion, work, interval);
   if (h == 0.0) return 0.0;
   motion.time = start + h;
   force_work.integrate_power(plan, motion, h);
   motion.time = start;
+  damping.end_step(plan, motion);
   return h;
 }
 
@@ -83,9 +93,10 @@ double ErrorScale::relative(double position_error, double velocity_error) const 
   return std::sqrt(x * x + v * v);
 }
 
-void AdaptiveStep::begin_frame(const Plan& plan, const Motion& motion) {
+void AdaptiveStep::begin_frame(const Plan& plan, Motion& motion, Workspace& work) {
   free_step_ = 0.0;
   surface_steps_ = 0;
+  for (ContactWorkspace* each : {&before_, &piece_}) each->damping.begin_frame(plan, motion, work);
   if (!has_corrections(plan)) return;
   for (Field* field : {&before_.x, &before_.v, &piece_.x, &piece_.v, &coarse_x_, &coarse_v_}) field->resize(motion.x.size());
   for (ContactWorkspace* work : {&before_, &piece_}) work->begin_frame();
@@ -99,6 +110,7 @@ bool AdaptiveStep::correct(const Plan& plan, ContactWorkspace& before, Motion& m
   const bool touches = plan.has_contact() && resolve_contacts(plan, before, motion, h);
   const bool is_moved = is_limited || touches;
   if (is_moved) motion.acceleration_is_current = false;
+  before.damping.end_substep(plan, h, is_limited, motion);
   force_work.end_substep(plan, motion, h, is_moved);
   return touches;
 }
@@ -125,7 +137,8 @@ double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& metho
     if (is_at_limit(motion)) return 0.0;
     store(motion, piece_);
     const Counters before(motion, force_work);
-    const double end = done < split ? split : h, left = end - done, length = advance_freely(plan, method, motion, work, left, force_work);
+    const double end = done < split ? split : h, left = end - done,
+                 length = advance_freely(plan, method, motion, work, left, piece_.damping, force_work);
     if (length == 0.0) return 0.0;
     const bool reaches_end = length == left;
     const double next = reaches_end ? end : done + length;
@@ -150,7 +163,7 @@ double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& metho
 double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, double left,
                              ForceWork& force_work) {
   if (!has_corrections(plan)) {
-    const double h = advance_freely(plan, method, motion, work, interval, force_work);
+    const double h = advance_freely(plan, method, motion, work, interval, before_.damping, force_work);
     if (h != 0.0) force_work.end_substep(plan, motion, h, false);
     return h;
   }
@@ -159,7 +172,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
   // of faces and springs is of first order, with impacts that never end while a cloth folds
   if (!work.tolerance || !plan.max_length.empty() || plan.surface.on) {
     store(motion, before_);
-    const double h = advance_freely(plan, method, motion, work, interval, force_work);
+    const double h = advance_freely(plan, method, motion, work, interval, before_.damping, force_work);
     if (h != 0.0) correct(plan, before_, motion, h, h == left, force_work);
     return h;
   }
@@ -172,7 +185,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
   store(motion, before_);
   while (true) {
     const Counters before(motion, force_work);
-    const double h = advance_freely(plan, method, motion, work, interval, force_work);
+    const double h = advance_freely(plan, method, motion, work, interval, before_.damping, force_work);
     if (h == 0.0) return 0.0;
     const bool ends = h == left;
     if (!correct(plan, before_, motion, h, ends, force_work)) return h;
@@ -207,7 +220,8 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
     for (int attempt = 0; attempt < max_attempts && std::isfinite(impact) && impact > 2.0 * contact_step; ++attempt) {
       restore(before_, motion);
       before.restore(motion, h, force_work);
-      const double jump = impact - 0.25 * contact_step, length = advance_freely(plan, method, motion, work, jump, force_work);
+      const double jump = impact - 0.25 * contact_step,
+                   length = advance_freely(plan, method, motion, work, jump, before_.damping, force_work);
       if (length == 0.0) return 0.0;
       if (!correct(plan, before_, motion, length, false, force_work)) {
         free_step_ = std::max(free_step_, h);

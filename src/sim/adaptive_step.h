@@ -33,7 +33,7 @@ class AdaptiveStep {
   // Of the coming frames.
   void limit_evaluations(long max) { max_evaluations_ = max; }
   // Once a frame; a step never allocates.
-  void begin_frame(const Plan& plan, const Motion& motion);
+  void begin_frame(const Plan& plan, Motion& motion, Workspace& work);
   // Advances the motion by one step of at most `interval` [s], with contacts and, if it leads to the end of the substep, `left` [s] away,
   // the strain limit, and adds the work of the listed forces. Leaves motion.time. Returns the length of the step; 0: no step is short
   // enough for a finite error.

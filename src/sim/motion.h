@@ -51,10 +51,14 @@ struct Motion {
   long contact_tests = 0, contact_impulses = 0;
   // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
   double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;
+  double limit_gain = 0.0;                      // [J], the part of limit_work that a strain limit cannot supply: an error
   double contact_work = 0.0;                    // [J], of impacts and friction on colliders that do not move; negative: dissipated
   double hand_work = 0.0, abs_hand_work = 0.0;  // [J], of the hand, and the sum of the magnitudes over the substeps
   double force_work = 0.0;                      // [J], of the listed forces and moving air
   double reversible_work = 0.0;                 // [J], the part of it that follows from potentials
+  // [J], by drag in air at rest and by dashpots, as far as measures_damping (forces/dashpots/damping_work.h)
+  double drag_work = 0.0, dashpot_work = 0.0;
+  bool measures_damping = false;
   double local_error = 0.0;          // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
   std::vector<BrokenSpring> breaks;  // in the order in which they broke
 };

@@ -98,12 +98,13 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   work_.tolerance = settings.tolerance;
   work_.min_step = 1e-9 * h_;
   force_work_.begin_frame(plan, motion_);
+  before_.damping.begin_frame(plan, motion_, work_);
   before_.begin_frame();
   before_.velocity_lag = integrator_->velocity_lag;
   before_.friction_lag = integrator_->symplectic ? integrator_->velocity_lag : 0.0;
   before_.kicks_last = integrator_->kicks_last;
   prepare_method(plan, h_);
-  if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_);
+  if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_, work_);
 }
 
 // With `auto`, and when such a frame is computed again: whether groups of parts are stepped separately. Then nothing is held, and springs
@@ -175,6 +176,7 @@ bool Frame::fly(Plan& plan) {
   }
   substeps_done_ += count;
   motion_.time = start_ + substeps_done_ * h_;
+  motion_.measures_damping = false;
   return true;
 }
 
@@ -231,12 +233,14 @@ void Frame::substep(Plan& plan) {
     prepared_ = length;
     if (failure_ != StepFailure::None) return;
     force_work_.begin_substep(plan, motion_);
+    before_.damping.begin_substep(plan, motion_, work_);
     try {
       integrator_->step(plan, motion_, work_, length);
     } catch (const MatrixTooLarge&) {
       failure_ = StepFailure::MatrixTooLarge;
       return;
     }
+    before_.damping.end_step(plan, motion_);
   }
   if (length == 0.0) {
     failure_ = adaptive_step_.is_at_limit(motion_) ? StepFailure::TooMany : StepFailure::TooShort;
@@ -279,6 +283,7 @@ bool Frame::act(Plan& plan, double h, bool may_touch) {
     is_moved = has_touched_ = true;
   }
   if (is_moved) motion_.acceleration_is_current = false;
+  if (may_touch) before_.damping.end_substep(plan, h, before_.is_limited, motion_);
   break_long_springs(plan);
   return is_moved;
 }

@@ -84,19 +84,27 @@ void EnergyAccounts::add_frame(const Plan& plan, const System& system, const Sta
   balance_.hand += motion.hand_work;
   balance_.forces += motion.force_work;
   balance_.colliders += motion.collider_work;
-  balance_.limits += motion.break_work + motion.limit_work;
+  // what a strain limit cannot have supplied is an error of the method
+  balance_.limits += motion.break_work + motion.limit_work - motion.limit_gain;
   // colliders at rest cannot have supplied energy in total: what they did is an error of the method
   contact_work_ += motion.contact_work;
   const double by_contact = std::min(0.0, contact_work_) - balance_.contact;
   balance_.contact += by_contact;
 
   // the remainder is due to the method, or to the drag and the dashpots of the scene
-  const double supplied = after.ledger.net_input - net_input_;
+  const double supplied = after.ledger.net_input - net_input_ - motion.limit_gain;
   const double rest = energy - energy_ - supplied - by_contact;
   rest_ = rest;
   const bool drags = system.drag_rate() > 0.0, damps = plan.has_dashpots();
   if (!drags && !damps) {
     balance_.method += rest;
+  } else if (motion.measures_damping) {
+    // in every substep: nothing has to be estimated from the ends of the frame
+    resolved_ = motion.drag_work + motion.dashpot_work;
+    balance_.drag += motion.drag_work;
+    balance_.dashpots += motion.dashpot_work;
+    balance_.method += rest - resolved_;
+    power_.reset();
   } else {
     if (!power_) power_ = {drag_power(system, before), dashpot_power(system, before)};
     const Dissipation start = *power_;

@@ -73,6 +73,7 @@ void add_counts(const Motion& part, Motion& sum) {
   sum.collider_work += part.collider_work;
   sum.break_work += part.break_work;
   sum.limit_work += part.limit_work;
+  sum.limit_gain += part.limit_gain;
   sum.contact_work += part.contact_work;
   sum.hand_work += part.hand_work;
   sum.abs_hand_work += part.abs_hand_work;

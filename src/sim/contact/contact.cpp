@@ -233,7 +233,8 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   before.pushed.reserve(n);
   const double contact_work = motion.contact_work;  // [J], in the frame so far
   if (plan.surface.on)
-    before.surface.begin_substep(plan, before.velocity_lag, before.kicks_last, before.is_limited ? &before.unlimited_v : nullptr, motion);
+    before.surface.begin_substep(plan, before.velocity_lag, before.kicks_last, before.is_limited ? &before.unlimited_v : nullptr,
+                                 before.damping, motion);
   const double energy = plan.pairs.on && before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
   bool touched = plan.pairs.on && before.pairs.resolve(plan, obstacles, before.x, before.v, h, motion);
   if (touched) {
@@ -243,6 +244,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     before.first_impact = before.pairs.first_impact();
   }
   resolve_points(plan, obstacles, before, motion, h, touched);
+  if (touched && !before.is_limited) before.damping.end_point_contact(plan, h, motion);
   if (plan.surface.on && before.surface.resolve(plan, obstacles, before.x, before.v, h, motion)) {
     touched = true;
     before.first_touch = 0.0;

@@ -8,6 +8,7 @@
 #include "sim/contact/pair_solver.h"
 #include "sim/contact/resting_kernel.h"
 #include "sim/contact/surface/surface_solver.h"
+#include "sim/forces/dashpots/damping_work.h"
 #include "sim/motion.h"
 
 namespace hooke {
@@ -50,6 +51,7 @@ struct ContactWorkspace {
   std::vector<Block> blocks;
   PairSolver pairs;
   SurfaceSolver surface;
+  DampingWork damping;
   // Points may have been edited.
   void begin_frame() {
     pairs.begin_frame();

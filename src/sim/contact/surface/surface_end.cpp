@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "sim/contact/closest_kernel.h"
 #include "sim/contact/contact_work.h"
@@ -84,6 +85,7 @@ void SurfaceStep::repeat_last_kick(const Plan& plan, double h, Motion& motion) {
     kick_[i] = has_collided_[i] != 0 ? 0.0 : 0.5 * h * (kick_[i] - free_acceleration[i]);
     motion.v[i] += kick_[i];
   }
+  damping_->note_last_kick(plan, kick_);
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const Vec3 change = point_in(plan, kick_, plan.surface.points[k]);
     last_kick_[k] += change;
@@ -204,12 +206,18 @@ void SurfaceStep::transmit_through_dashpots(const Plan& plan, std::span<const Ob
   if (decay_step_ != h) plan_dashpot_decay(plan, 0.5 * h, decay_);
   decay_step_ = h;
 
-  double work = -kinetic_energy_of(plan, motion.v), impulses = 0.0, speed = 0.0;  // [J], [N s], [m/s]
+  // [J], by dashpots and by contact; [N s], [m/s]
+  double energy = kinetic_energy_of(plan, motion.v), dashpot_work = 0.0, work = 0.0, impulses = 0.0, speed = 0.0;
+  const auto change_of_energy = [&](const Field& velocity) {
+    const double before = std::exchange(energy, kinetic_energy_of(plan, velocity));
+    return energy - before;
+  };
   Field& v = all_free_velocity_;
   for (int round = 0; round < transmissions; ++round) {
     decay_dashpots(plan, plan.runs, decay_, SweepDirection::Backward, motion.x, change_);
     for_components(plan, [&](std::size_t i, Index point) { v[i] = plan.inverse_mass[point] != 0.0 ? v[i] + change_[i] : motion.v[i]; });
     change_ = v;
+    dashpot_work += change_of_energy(v);
 
     // obstacles do what they did, and what touches does not approach
     for (std::size_t i = 0; i < n; ++i)
@@ -220,6 +228,7 @@ void SurfaceStep::transmit_through_dashpots(const Plan& plan, std::span<const Ob
       for (std::size_t k = 0; k < x_.size(); ++k)
         for (int c = 0; c < plan.dimensions; ++c) v[c * points + plan.surface.points[k]] = velocity_[k][c];
     }
+    work += change_of_energy(v);
     for (std::size_t i = 0; i < n; ++i) {
       const double before = change_[i];
       change_[i] = v[i] - before;
@@ -228,7 +237,7 @@ void SurfaceStep::transmit_through_dashpots(const Plan& plan, std::span<const Ob
   }
   for_components(plan, [&](std::size_t i, Index point) { impulses += plan.mass[point] * std::abs(v[i] - motion.v[i]); });
   motion.v = v;
-  work += kinetic_energy_of(plan, motion.v);
+  motion.dashpot_work += dashpot_work;
   if (plan.colliders_move)
     for (const Obstacle& obstacle : obstacles) speed = std::max(speed, max_surface_speed(obstacle, anchor_of(*obstacle.collider), h));
   book_contact_work(work, {.by_hand = impulses * held_speed(plan, motion), .by_colliders = impulses * speed}, motion);

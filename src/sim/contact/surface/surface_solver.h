@@ -5,6 +5,7 @@
 #include <span>
 
 #include "sim/contact/obstacle.h"
+#include "sim/forces/dashpots/damping_work.h"
 #include "sim/motion.h"
 
 namespace hooke {
@@ -33,7 +34,8 @@ class SurfaceSolver {
   void begin_frame();
 
   // Before other contacts: remembers where the method leads, with its velocities before the strain limit changed them, if it did.
-  void begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, const Motion& motion);
+  void begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, DampingWork& damping,
+                     const Motion& motion);
   // Corrects the step of h that led from (x0, v0) to the motion. Returns whether anything touched.
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
   // Whether the last call gave up: there are more than PairSolver::max_pairs pairs.

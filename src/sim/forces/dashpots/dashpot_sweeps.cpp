@@ -265,7 +265,35 @@ void DashpotSweeps::sweep_halves(const Plan& plan, SweepDirection sweep, const F
   if (sweep == Backward) decay_dashpots(plan, middle_, decay_, Backward, x, v);
 }
 
+void DashpotSweeps::measure(bool is_measured, std::size_t size) {
+  is_measured_ = is_measured;
+  has_swept_ = false;
+  if (!is_measured) return;
+  for (Field* field : {&change_, &last_change_, &work_}) field->resize(size);
+}
+
+void DashpotSweeps::begin_step() {
+  if (!is_measured_) return;
+  has_swept_ = false;
+  std::ranges::fill(change_, 0.0);
+  std::ranges::fill(work_, 0.0);
+}
+
 void DashpotSweeps::sweep(const Plan& plan, SweepDirection sweep, bool is_same, const Field& x, Field& v) {
+  if (!is_measured_) return apply(plan, sweep, is_same, x, v);
+  std::ranges::copy(v, last_change_.begin());
+  apply(plan, sweep, is_same, x, v);
+  has_swept_ = true;
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at) {
+      const double before = last_change_[at], change = v[at] - before;
+      last_change_[at] = change;
+      change_[at] += change;
+      work_[at] += plan.mass[i] * change * (before + 0.5 * change);
+    }
+}
+
+void DashpotSweeps::apply(const Plan& plan, SweepDirection sweep, bool is_same, const Field& x, Field& v) {
   if (!halves_[0].empty()) return sweep_halves(plan, sweep, x, v);
   if (packed_.empty()) return decay_dashpots(plan, plan.runs, decay_, sweep, x, v);
   if (!is_known_ || !is_same) {

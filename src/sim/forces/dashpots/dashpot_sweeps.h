@@ -27,7 +27,18 @@ class DashpotSweeps {
   // As decay_dashpots with all runs. `is_same`: x is that of the last sweep since prepare.
   void sweep(const Plan& plan, SweepDirection sweep, bool is_same, const Field& x, Field& v);
 
+  // Whether sweeps are measured, over fields of this size.
+  void measure(bool is_measured, std::size_t size);
+  // Of the sweeps since then, if they are measured: whether there were any; by what all of them and the last one changed each component of
+  // the velocities [m/s], and the kinetic energy in it [J].
+  void begin_step();
+  bool has_swept() const { return has_swept_; }
+  const Field& change() const { return change_; }
+  const Field& last_change() const { return last_change_; }
+  const Field& work() const { return work_; }
+
  private:
+  void apply(const Plan& plan, SweepDirection sweep, bool is_same, const Field& x, Field& v);
   void order_springs(const Plan& plan);
   void divide_springs(const Plan& plan);
   void clear_halves();
@@ -46,6 +57,9 @@ class DashpotSweeps {
   std::vector<SpringRun> known_runs_;  // those of which these are the order or the halves
   bool is_known_ = false;              // whether the springs have the vectors and factors of the last sweep
   std::vector<double> x_, v_;          // four numbers for each point, the last of them 0
+  bool is_measured_ = false, has_swept_ = false;
+  Field change_, last_change_;  // [m/s]
+  Field work_;                  // [J]
 };
 
 }  // namespace hooke
