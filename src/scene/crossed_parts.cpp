@@ -55,7 +55,7 @@ void find_spheres(const System& system, PlacedSurface& surface, CrossedParts& pa
   constexpr double ignored = 1e-3;
   for (const SurfacePair& pair : pairs) {
     const auto& [i, j, k, l] = pair.points;
-    const double radius = plan.radius_of(i);
+    const double radius = plan.radius_of(pair.points);
     const double depth = radius - closest_points(pair.kind, {place[i], place[j], place[k], place[l]}).distance;
     if (!(depth > ignored * radius)) continue;
     parts.spheres.push_back(system.points()[plan.points[i]].id);

@@ -110,7 +110,7 @@ TEST(Crossings, AreThoseOfTheIndependentCount) {
   std::vector<PointId> ids;
   for (int i = 0; i < 60; ++i) ids.push_back(sim.add(anywhere(random)));
   for (int i = 0; i < 60; i += 3) sim.system.faces.push_back({{ids[i], ids[i + 1], ids[i + 2]}});
-  sim.system.contact.faces = true;
+  sim.system.contact = {.points = true, .faces = true};
   const SurfacePlan plan = plan_surface(sim.system);
   SurfaceTree tree;
   tree.build(plan, sim.state.position);
@@ -173,7 +173,7 @@ TEST(SurfaceTree, FindsAllPairsWithinReachOnce) {
     const PointId id = sim.add(2.0 * anywhere(random));
     sim.system.point(sim.system.index_of(id)).radius = random.uniform(0.0, 0.3);
   }
-  sim.system.contact.faces = true;
+  sim.system.contact = {.points = true, .faces = true};
   const SurfacePlan plan = plan_surface(sim.system);
   const std::vector<Vec3>& x = sim.state.position;
   for (const double reach : {0.01, 0.3, 10.0}) {
@@ -182,14 +182,15 @@ TEST(SurfaceTree, FindsAllPairsWithinReachOnce) {
       for (const SurfacePlan::Piece& piece : plan.pieces) {
         const auto& [a, b, c] = piece.points;
         if (!piece.is_face || p == a || p == b || p == c) continue;
-        if (closest_points(FeaturePair::PointFace, {x[p], x[a], x[b], x[c]}).distance - plan.radius_of(p) < reach) ++expected;
+        if (closest_points(FeaturePair::PointFace, {x[p], x[a], x[b], x[c]}).distance - plan.radius_of({p, a, b, c}) < reach) ++expected;
       }
     for (std::size_t e = 0; e < plan.edges.size(); ++e)
       for (std::size_t f = 0; f < e; ++f) {
         const auto [a, b] = plan.edges[e];
         const auto [c, d] = plan.edges[f];
         if (plan.excludes_edge(static_cast<Index>(e), static_cast<Index>(f))) continue;
-        if (a != c && a != d && b != c && b != d && closest_points(FeaturePair::TwoEdges, {x[a], x[b], x[c], x[d]}).distance < reach)
+        if (a != c && a != d && b != c && b != d &&
+            closest_points(FeaturePair::TwoEdges, {x[a], x[b], x[c], x[d]}).distance - plan.radius_of({a, b, c, d}) < reach)
           ++expected;
       }
     SurfaceTree tree;

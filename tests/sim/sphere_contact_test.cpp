@@ -193,5 +193,68 @@ TEST(SphereContact, DoesNotDependOnTheMarginOfTheSearch) {
   EXPECT_GT(often, usual);
 }
 
+// Discs that fall into a funnel of nailed springs, which press them into each other.
+TestSim discs_in_a_funnel(double friction) {
+  TestSim sim;
+  sim.system.dimensions = 2;
+  sim.system.gravity = {0.0, -9.81, 0.0};
+  sim.system.contact = {.points = true, .springs = true, .thickness = 0.008, .restitution = 0.2, .friction = friction};
+  std::vector<PointId> rim;
+  for (const Vec3& place : {Vec3(-0.4, 0.4, 0.0), Vec3(-0.05, 0.05, 0.0), Vec3(0.05, 0.05, 0.0), Vec3(0.4, 0.4, 0.0)})
+    rim.push_back(sim.nail(place));
+  for (const auto& [from, to] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 3)})
+    sim.join(rim[from], rim[to], 1000.0, glm::distance(sim.position(rim[from]), sim.position(rim[to])));
+  for (int row = 0; row < 5; ++row)
+    for (int column = 0; column < 5; ++column)
+      add_sphere(sim, {-0.12 + 0.06 * column + 0.011 * (row % 2), 0.35 + 0.06 * row, 0.0}, 0.02, 0.005 * (1 + (row + column) % 3));
+  return sim;
+}
+
+// [m], the largest by which two discs overlap.
+double overlap_of_discs(const TestSim& sim) {
+  double max = 0.0;
+  const std::vector<Point>& points = sim.system.points();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (!points[i].nailed && !points[j].nailed)
+        max = std::max(max, points[i].radius + points[j].radius + sim.system.contact.thickness -
+                                glm::distance(sim.state.position[i], sim.state.position[j]));
+  return max;
+}
+
+TEST_P(SphereContactOf, DoesNotPressDiscsIntoEachOtherInAFunnel) {
+  for (const double friction : {0.0, 0.3}) {
+    TestSim sim = discs_in_a_funnel(friction);
+    double overlap = 0.0;
+    for (int i = 0; i < 90; ++i) {
+      sim.run(method(), frame_of_spheres, 20);
+      overlap = std::max(overlap, overlap_of_discs(sim));
+    }
+    EXPECT_LT(overlap, 0.05 * 0.048) << friction;
+    EXPECT_LT(sim.state.position.back().y, 0.6) << friction;
+  }
+}
+
+// A spring far away changes nothing in an impact between spheres.
+TEST_P(SphereContactOf, LeavesImpactsOfSpheresToContactOfPoints) {
+  for (const double restitution : {0.0, 0.5, 1.0}) {
+    std::array<TestSim, 2> sims;
+    for (const bool has_spring : {false, true}) {
+      TestSim& sim = sims[has_spring];
+      sim.system.gravity = Vec3(0.0);
+      sim.system.contact = {.points = true, .springs = has_spring, .thickness = 0.002, .restitution = restitution, .friction = 0.2};
+      add_sphere(sim, {-0.1, 0.01, 0.0}, 0.03, 0.2, {2.0, 0.0, 0.3});
+      add_sphere(sim, {0.1, 0.0, 0.0}, 0.05, 0.5, {-1.0, 0.1, 0.0});
+      const PointId far = sim.nail({5.0, 0.0, 0.0});
+      sim.join(far, sim.nail({5.0, 0.1, 0.0}), 100.0, 0.1);
+      sim.run(method(), 0.1, 40);
+    }
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_NEAR(glm::distance(sims[0].state.velocity[i], sims[1].state.velocity[i]), 0.0, 1e-9) << restitution;
+      EXPECT_NEAR(glm::distance(sims[0].state.position[i], sims[1].state.position[i]), 0.0, 1e-9) << restitution;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hooke

@@ -30,8 +30,8 @@ std::optional<std::string> close_start_warning(const System& system, const State
   bool is_face = false;
   for (const SurfacePair& pair : pairs) {
     const auto& [i, j, k, l] = pair.points;
-    const double thickness = std::min({plan.thickness[i], plan.thickness[j], plan.thickness[k], plan.thickness[l]}),
-                 distance = closest_points(pair.kind, {place[i], place[j], place[k], place[l]}).distance - plan.radius_of(i);
+    const double thickness = plan.thickness_of(pair.points),
+                 distance = closest_points(pair.kind, {place[i], place[j], place[k], place[l]}).distance - plan.radius_of(pair.points);
     // bent sheets touch at a quarter of it
     if (distance >= thickness / 8.0) continue;
     if (distance < coincident) {

@@ -89,7 +89,7 @@ void SurfaceSearch::list_found(const SurfacePlan& plan, std::span<const Vec3> x,
     list.distances.resize(found.size());
     find_distances(kind, x, found.points, list.distances);
     if (!plan.radius.empty())
-      for (std::size_t pair = 0; pair < found.size(); ++pair) list.distances[pair] -= plan.radius[found.points[pair][0]];
+      for (std::size_t pair = 0; pair < found.size(); ++pair) list.distances[pair] -= plan.radius_of(found.points[pair]);
     // those that are close enough: without branches, which would be mispredicted
     list.kept.resize(found.size() + 1);
     std::size_t kept = 0, p = 0, i = 0, end = list.pairs.size();
@@ -154,7 +154,7 @@ void SurfaceSearch::measure(const SurfacePlan& plan, std::span<const Vec3> x, Se
     const auto [p, g] = woken[i];
     const Group& group = section.groups[g];
     const double thinner_by = thinner(kind, list.pairs.features[p]), distance = block.distance[i];
-    const double apart = distance - plan.radius_of(block.points[i][0]);
+    const double apart = distance - plan.radius_of(block.points[i]);
     list.keys[p] = std::max(list.keys[p], apart + group.travel + thinner_by);
     if (!(apart < group.need - thinner_by && distance >= coincident)) continue;
     Near& near = list.near.emplace_back(Near{.pair = p, .group = g, .distance = distance});

@@ -27,6 +27,9 @@ struct SurfacePlan {
   std::vector<Index> points;      // of the scene, in ascending order
   std::vector<double> thickness;  // [m], per point: features touch at the minimum over their points; infinite for spheres
   std::vector<double> radius;     // [m], per point, of spheres, which touch at that in addition; 0 of others. Empty: there are no spheres
+  // Whether spheres touch each other, too: what faces and springs do to one must not press it into another.
+  bool spheres_touch = false;
+  double sphere_thickness = 0.0;  // [m], of two spheres
   double max_thickness = 0.0;     // [m]
   double edge_length = 0.0;       // [m], mean at rest, of springs on the edges; 0: there are none
   std::vector<Piece> pieces;      // faces, then springs, then spheres
@@ -40,7 +43,9 @@ struct SurfacePlan {
   bool excludes_face(Index point, std::span<const Index> face) const;
   bool excludes_edge(Index edge, Index other) const;
   bool is_sphere(Index edge) const { return edges[edge][0] == edges[edge][1]; }
-  double radius_of(Index point) const { return radius.empty() ? 0.0 : radius[point]; }
+  // Of a pair of features with these points [m]. A sphere comes first.
+  double radius_of(const std::array<Index, 4>& pair) const { return radius.empty() ? 0.0 : radius[pair[0]] + radius[pair[2]]; }
+  double thickness_of(const std::array<Index, 4>& pair) const;
 };
 
 SurfacePlan plan_surface(const System& system);

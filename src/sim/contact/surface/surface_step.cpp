@@ -111,12 +111,10 @@ double SurfaceStep::max_speed(std::span<const Vec3> velocity) const {
 void SurfaceStep::make_contacts(const Plan& plan, double h) {
   contacts_.surface.clear();
   contacts_.obstacles.clear();
-  const std::vector<double>& thickness = plan.surface.thickness;
   for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
     search_.visit_touching(plan.surface, kind, [&](const SurfacePair& pair, const Closest& closest, double approach) {
-      const auto& [i, j, k, l] = pair.points;
-      const double gap = closest.distance - plan.surface.radius_of(i) -
-                         search_.part(pair) * std::min({thickness[i], thickness[j], thickness[k], thickness[l]});
+      const double gap =
+          closest.distance - plan.surface.radius_of(pair.points) - search_.part(pair) * plan.surface.thickness_of(pair.points);
       if (gap >= search_.max_gap(approach)) return;
       SurfaceContact contact{.kind = pair.kind, .points = pair.points, .gap = gap};
       contact.move_to(closest, inverse_mass_);

@@ -305,7 +305,7 @@ bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, d
       distance.resize(of_kind.size());
       find_distances(kind, x, of_kind.points, distance);
       for (std::size_t p = 0; p < of_kind.size(); ++p)
-        if (distance[p] - plan.radius_of(of_kind.points[p][0]) < reach) pairs.push_back(of_kind.pair(plan, kind, p));
+        if (distance[p] - plan.radius_of(of_kind.points[p]) < reach) pairs.push_back(of_kind.pair(plan, kind, p));
     }
     return pairs.size() <= max_pairs;
   });
