@@ -123,6 +123,31 @@ void SurfaceStep::make_contacts(const Plan& plan, double h) {
       contact.target = std::min(0.0, -gap / h);
       contacts_.surface.push_back(contact);
     });
+  drop_free_spheres(plan.surface);
+}
+
+// Contact of points has resolved pairs of spheres: of these, only what is in a chain of contacts with a face or spring remains.
+void SurfaceStep::drop_free_spheres(const SurfacePlan& surface) {
+  if (!surface.spheres_touch) return;
+  const auto is_of_spheres = [](const SurfaceContact& contact) {
+    const auto& [i, j, k, l] = contact.points;
+    return contact.kind == FeaturePair::TwoEdges && i == j && k == l;
+  };
+  is_marked_.assign(surface.points.size(), 0);
+  for (const SurfaceContact& contact : contacts_.surface)
+    if (!is_of_spheres(contact))
+      for (const Index k : contact.points) is_marked_[k] = 1;
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const SurfaceContact& contact : contacts_.surface) {
+      char &first = is_marked_[contact.points[0]], &second = is_marked_[contact.points[2]];
+      if (!is_of_spheres(contact) || first == second) continue;
+      first = second = 1;
+      grows = true;
+    }
+  }
+  std::erase_if(contacts_.surface,
+                [&](const SurfaceContact& contact) { return is_of_spheres(contact) && is_marked_[contact.points[0]] == 0; });
 }
 
 // The obstacles that the points of contacts may be pressed into. They are convex: outside the plane that touches one where it is nearest,

@@ -45,6 +45,7 @@ class SurfaceStep {
   void start_frame(const Plan& plan);
   double max_speed(std::span<const Vec3> velocity) const;
   void make_contacts(const Plan& plan, double h);
+  void drop_free_spheres(const SurfacePlan& surface);
   void add_obstacles(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion);
   void note_impacts(const Plan& plan, const Field& v0, double h, const Motion& motion);
   void note_pressed(const Plan& plan, double h);

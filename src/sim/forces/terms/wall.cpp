@@ -95,7 +95,7 @@ Passage fall_onto(const Plane& plane, double restitution, const ForceValues& val
   // as long as it takes at the speed that it reaches at half the distance
   const double near = std::max(0.5 * r, core);
   if (r > near && (r - near) > point.within * speed_at(near)) return {};
-  const double speed = std::hypot(speed_at(core), std::sqrt(2.0 * at_core * core));
+  const double at_surface = speed_at(core), speed = std::sqrt(at_surface * at_surface + 2.0 * at_core * core);
   // what the impact takes does not lead away from the plane again, and what it leaves decides about the motion where it is more
   const double kept = restitution * restitution, there = 0.5 * speed * speed;
   const double scale = far + strength * portable::pow(r, 1.0 - power) + (1.0 - kept) * there;
