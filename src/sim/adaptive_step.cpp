@@ -99,7 +99,7 @@ void AdaptiveStep::begin_frame(const Plan& plan, Motion& motion, Workspace& work
   for (ContactWorkspace* each : {&before_, &piece_}) each->damping.begin_frame(plan, motion, work);
   if (!has_corrections(plan)) return;
   for (Field* field : {&before_.x, &before_.v, &piece_.x, &piece_.v, &coarse_x_, &coarse_v_}) field->resize(motion.x.size());
-  for (ContactWorkspace* work : {&before_, &piece_}) work->begin_frame();
+  for (ContactWorkspace* each : {&before_, &piece_}) each->begin_frame();
 }
 
 // Strain limit first, then contact. Returns whether anything touched.

@@ -51,11 +51,9 @@ double energy_of_limited(const Plan& plan, const ContactWorkspace& before, doubl
   return mechanical_energy(plan, before.time + 0.5 * h, motion) + lag_energy(plan, before, motion.v);
 }
 
-// Contact moves points back where the strain limit has moved them away: what one supplies and the other takes in the same substep is
-// work of neither. `gained`: by contact [J].
+// Contact moves points back where the strain limit has moved them away. `gained`: by contact [J].
 void cancel_work_of_limit(const ContactWorkspace& before, double gained, Motion& motion) {
-  if (!(gained * before.limit_work < 0.0)) return;
-  const double canceled = std::copysign(std::min(std::abs(gained), std::abs(before.limit_work)), gained);
+  const double canceled = canceled_work(gained, before.limit_work);
   motion.limit_work += canceled;
   motion.contact_work -= canceled;
 }

@@ -19,6 +19,18 @@ double book_contact_work(double work, const SuppliedWork& bounds, Motion& motion
   return rest;
 }
 
+double canceled_work(double first, double second) {
+  return first * second < 0.0 ? std::copysign(std::min(std::abs(first), std::abs(second)), first) : 0.0;
+}
+
+double kinetic_energy(const Plan& plan, const Field& v) {
+  double energy = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
+      if (plan.inverse_mass[i] != 0.0) energy += 0.5 * plan.mass[i] * v[at] * v[at];
+  return energy;
+}
+
 double potential_energy(const Plan& plan, double time, const Field& x) {
   double energy = stored_energy(plan, x);
   for (const Force& force : plan.forces)
@@ -27,11 +39,7 @@ double potential_energy(const Plan& plan, double time, const Field& x) {
 }
 
 double mechanical_energy(const Plan& plan, double time, const Motion& motion) {
-  double kinetic = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c)
-    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
-      if (plan.inverse_mass[i] != 0.0) kinetic += 0.5 * plan.mass[i] * motion.v[at] * motion.v[at];
-  return kinetic + potential_energy(plan, time, motion.x);
+  return kinetic_energy(plan, motion.v) + potential_energy(plan, time, motion.x);
 }
 
 double held_speed(const Plan& plan, const Motion& motion) {

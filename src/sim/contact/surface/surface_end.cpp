@@ -24,12 +24,6 @@ void for_components(const Plan& plan, const Use& use) {
     for (Index point = 0; point < plan.points; ++point) use(i++, point);
 }
 
-double kinetic_energy_of(const Plan& plan, const Field& v) {
-  double sum = 0.0;
-  for_components(plan, [&](std::size_t i, Index point) { sum += 0.5 * plan.mass[point] * v[i] * v[i]; });
-  return sum;
-}
-
 }  // namespace
 
 // From (x1, v1), contact leads to (x1 + d, v1 + c). The angular momentum that this adds, sum m d x v1 + m (x1 + d) x c, is that of each
@@ -207,9 +201,9 @@ void SurfaceStep::transmit_through_dashpots(const Plan& plan, std::span<const Ob
   decay_step_ = h;
 
   // [J], by dashpots and by contact; [N s], [m/s]
-  double energy = kinetic_energy_of(plan, motion.v), dashpot_work = 0.0, work = 0.0, impulses = 0.0, speed = 0.0;
+  double energy = kinetic_energy(plan, motion.v), dashpot_work = 0.0, work = 0.0, impulses = 0.0, speed = 0.0;
   const auto change_of_energy = [&](const Field& velocity) {
-    const double before = std::exchange(energy, kinetic_energy_of(plan, velocity));
+    const double before = std::exchange(energy, kinetic_energy(plan, velocity));
     return energy - before;
   };
   Field& v = all_free_velocity_;

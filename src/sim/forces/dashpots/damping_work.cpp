@@ -32,23 +32,6 @@ double speed_along(const Plan& plan, const Field& x, const Field& v, Index first
   return sum / length;
 }
 
-// [J], sum over the free points of m v^2.
-double twice_kinetic_energy(const Plan& plan, const Field& v) {
-  double sum = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c)
-    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
-      if (plan.inverse_mass[i] != 0.0) sum += plan.mass[i] * v[at] * v[at];
-  return sum;
-}
-
-// What one has supplied and the other dissipated in the same substep is work of neither.
-void cancel_opposite(double& supplied, double& dissipated) {
-  if (!(supplied * dissipated < 0.0)) return;
-  const double canceled = std::copysign(std::min(std::abs(supplied), std::abs(dissipated)), supplied);
-  supplied -= canceled;
-  dissipated += canceled;
-}
-
 }  // namespace
 
 void DampingWork::begin_frame(const Plan& plan, Motion& motion, Workspace& work) {
@@ -127,8 +110,8 @@ double DampingWork::work_of_forces(const Plan& plan, double h, const Field& x) c
   // Where steps do not resolve the dashpots, that is more than they can exert: no more than is missing, where nothing else supplies energy.
   constexpr double max_resolved = 0.3;
   if (plan.spectrum.dashpot_rate * h > max_resolved && !plan.held && !plan.pull) {
-    const double before = 0.5 * twice_kinetic_energy(plan, v_) + potential_energy(plan, start_ + 0.5 * h, x_);
-    const double after = 0.5 * twice_kinetic_energy(plan, free_v_) + potential_energy(plan, start_ + 0.5 * h, free_x_);
+    const double before = kinetic_energy(plan, v_) + potential_energy(plan, start_ + 0.5 * h, x_);
+    const double after = kinetic_energy(plan, free_v_) + potential_energy(plan, start_ + 0.5 * h, free_x_);
     free = std::max(free, std::min(0.0, after - before));
   }
   return std::min(0.0, free) + moved / h;
@@ -136,15 +119,17 @@ double DampingWork::work_of_forces(const Plan& plan, double h, const Field& x) c
 
 void DampingWork::end_substep(const Plan& plan, double h, bool is_limited, Motion& motion) {
   double limit = motion.limit_work - limit_work_;
-  if (is_measured_ && plan.drag > 0.0)
-    motion.drag_work -= 0.5 * h * plan.drag * (twice_kinetic_energy(plan, v_) + twice_kinetic_energy(plan, motion.v));
+  if (is_measured_ && plan.drag > 0.0) motion.drag_work -= h * plan.drag * (kinetic_energy(plan, v_) + kinetic_energy(plan, motion.v));
   if (is_measured_ && plan.has_dashpots()) {
     // the work of contact is the change of the energy where the strain limit has acted, and otherwise that of its impulses
     const Field& x = is_limited ? free_x_ : motion.x;
     motion.dashpot_work += sweeps_->has_swept() ? work_of_sweeps(plan, h, x) : work_of_forces(plan, h, x);
     double dashpots = motion.dashpot_work - dashpot_work_, contact = motion.contact_work - contact_work_;
-    cancel_opposite(limit, dashpots);
-    cancel_opposite(contact, dashpots);
+    for (double* other : {&limit, &contact}) {
+      const double canceled = canceled_work(*other, dashpots);
+      *other -= canceled;
+      dashpots += canceled;
+    }
     motion.dashpot_work = dashpot_work_ + dashpots;
     motion.limit_work = limit_work_ + limit;
     motion.contact_work = contact_work_ + contact;
