@@ -78,15 +78,21 @@ TEST_P(SphereContactOf, KeepsABallOnATrampoline) {
 }
 
 TEST_P(SphereContactOf, ConservesLinearMomentumToRounding) {
-  TestSim sim = horizontal_sheet(9, false);
-  sim.system.gravity = Vec3(0.0);
-  add_sphere(sim, {0.1, 0.03, 0.15}, 0.05, 0.1, {0.5, 0.0, -5.0});
-  add_sphere(sim, {-0.2, 0.03, -0.15}, 0.02, 0.01, {0.0, 0.0, 3.0});
-  const Vec3 before = compute_momentum(sim.system, sim.state).linear;
-  for (int i = 0; i < (method().stability == Stability::None ? 2 : 6); ++i) sim.run(method(), frame_of_spheres, 60);
-  EXPECT_LT(glm::distance(compute_momentum(sim.system, sim.state).linear, before), 1e-12);
-  if (method().stability != Stability::None) {
-    EXPECT_GT(sim.state.velocity[81].z, -4.5);
+  for (const bool points_touch : {false, true}) {
+    SCOPED_TRACE(points_touch);
+    TestSim sim = horizontal_sheet(9, false);
+    sim.system.gravity = Vec3(0.0);
+    sim.system.contact.points = points_touch;
+    for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).radius = 0.004;
+    add_sphere(sim, {0.1, 0.03, 0.15}, 0.05, 0.1, {0.5, 0.0, -5.0});
+    add_sphere(sim, {0.1, 0.05, 0.26}, 0.05, 0.1, {0.5, 0.0, -5.0});
+    add_sphere(sim, {-0.2, 0.03, -0.15}, 0.02, 0.01, {0.0, 0.0, 3.0});
+    const Vec3 before = compute_momentum(sim.system, sim.state).linear;
+    for (int i = 0; i < (method().stability == Stability::None ? 2 : 6); ++i) sim.run(method(), frame_of_spheres, 60);
+    EXPECT_LT(glm::distance(compute_momentum(sim.system, sim.state).linear, before), 1e-12);
+    if (method().stability != Stability::None) {
+      EXPECT_GT(sim.state.velocity[81].z, -4.5);
+    }
   }
 }
 

@@ -174,10 +174,24 @@ SuppliedWork SurfaceStep::supplied_work(const Plan& plan, const Motion& motion) 
   return supplied;
 }
 
-// What obstacles have changed since begin_substep.
-void SurfaceStep::note_collisions(const Motion& motion) {
+// What obstacles have changed since begin_substep. Where points touch each other as well, those near an obstacle count: what points do to
+// each other is no reason to leave out forces by which springs act at both of their ends.
+void SurfaceStep::note_collisions(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion) {
   has_collided_.resize(motion.v.size());
   for (std::size_t i = 0; i < motion.v.size(); ++i) has_collided_[i] = motion.v[i] != all_free_velocity_[i] ? 1 : 0;
+  if (!plan.pairs.on) return;
+  const auto n = static_cast<std::size_t>(plan.points);
+  for (Index point = 0; point < plan.points; ++point) {
+    const Vec3 end = point_in(plan, motion.x, point);
+    const double reach = h * (glm::length(point_in(plan, motion.v, point)) + glm::length(point_in(plan, all_free_velocity_, point)));
+    const auto is_near = [&](const Obstacle& obstacle) {
+      const Vec3 position = end - obstacle.offset_at(h);
+      return gap_to(*obstacle.collider, plan.radius[point], position).distance <=
+             reach + h * glm::length(obstacle.velocity_at(h)) + contact_tolerance(position);
+    };
+    if (std::ranges::none_of(obstacles, is_near))
+      for (int c = 0; c < plan.dimensions; ++c) has_collided_[c * n + point] = 0;
+  }
 }
 
 // In the substep, dashpots have acted on velocities without contact: at rest, on those that the weight alone would cause. Forces act all

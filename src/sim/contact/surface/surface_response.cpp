@@ -9,7 +9,7 @@ namespace hooke {
 namespace {
 
 // At most so many sweeps, less if one changes no relative velocity by more than this part of the largest change.
-constexpr int max_sweeps_of_impulses = 8, max_sweeps_of_separation = 2;
+constexpr int max_sweeps_of_impulses = 8, max_sweeps_of_separation = 4;
 constexpr double relative_tolerance = 1e-3;
 
 // Changes the normal impulse by `change`, and opposes the slip [m/s] as far as friction can. Returns the change of both.
@@ -118,14 +118,15 @@ bool SurfaceContacts::settle(std::span<const double> inverse_mass, double fricti
   return settle(inverse_mass, friction, std::numeric_limits<double>::infinity(), max_sweeps_of_impulses, velocity);
 }
 
-bool SurfaceContacts::separate(std::span<const double> inverse_mass, std::span<Vec3> velocity) {
+bool SurfaceContacts::separate(std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity) {
   for (SurfaceContact& contact : surface) contact.impulse = {};
   for (ObstacleContact& contact : obstacles) contact.impulse = {};
-  return settle(inverse_mass, 0.0, max_leverage, max_sweeps_of_separation, velocity);
+  return settle(inverse_mass, friction, max_leverage, max_sweeps_of_separation, velocity);
 }
 
 bool SurfaceContacts::settle(std::span<const double> inverse_mass, double friction, double leverage, int max_sweeps,
                              std::span<Vec3> velocity) {
+  const bool rubs_on_obstacles = friction > 0.0 && std::isinf(leverage);
   double max_change = 0.0;
   for (int sweep = 0; sweep < max_sweeps; ++sweep) {
     double change = 0.0;
@@ -133,7 +134,7 @@ bool SurfaceContacts::settle(std::span<const double> inverse_mass, double fricti
       SurfaceContact& contact = surface[sweep % 2 == 0 ? k : surface.size() - 1 - k];
       change = std::max(change, settle_contact(contact, inverse_mass, friction, leverage, velocity));
     }
-    for (ObstacleContact& contact : obstacles) change = std::max(change, settle_obstacle(contact, inverse_mass, friction > 0.0, velocity));
+    for (ObstacleContact& contact : obstacles) change = std::max(change, settle_obstacle(contact, inverse_mass, rubs_on_obstacles, velocity));
     impulses += static_cast<long>(surface.size());
     max_change = std::max(max_change, change);
     if (!(change > relative_tolerance * max_change)) break;

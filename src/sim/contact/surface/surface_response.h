@@ -77,8 +77,8 @@ struct SurfaceContacts {
   // longer needs when others have pushed is taken back: otherwise, what rests on many contacts would be pushed apart. Continues from the
   // impulses there are. If no target is positive, this removes kinetic energy. Returns whether any was necessary.
   bool settle(std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity);
-  // The same for what separates, from no impulses, without friction.
-  bool separate(std::span<const double> inverse_mass, std::span<Vec3> velocity);
+  // The same for what separates, from no impulses: `velocity` is that of the displacement by which it does. Obstacles do not rub there.
+  bool separate(std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity);
 
  private:
   bool settle(std::span<const double> inverse_mass, double friction, double leverage, int max_sweeps, std::span<Vec3> velocity);

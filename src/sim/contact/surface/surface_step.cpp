@@ -42,7 +42,7 @@ bool SurfaceStep::resolve(const Plan& plan, std::span<const Obstacle> obstacles,
                           Motion& motion) {
   contacts_.impulses = distances_ = 0;
   held_impulse_ = 0.0;
-  note_collisions(motion);
+  note_collisions(plan, obstacles, h, motion);
   const bool touches = correct(plan, obstacles, x0, v0, h, motion);
   if (transmits(plan)) transmit_through_dashpots(plan, obstacles, x0, touches, h, motion);
   motion.contact_tests += search_.tests() + distances_;
@@ -66,7 +66,7 @@ bool SurfaceStep::correct(const Plan& plan, std::span<const Obstacle> obstacles,
   note_impacts(plan, v0, h, motion);
   const bool touches = contacts_.settle(inverse_mass_, plan.surface.friction, u_);
   note_pressed(plan, h);
-  const bool is_separated = separate(h);
+  const bool is_separated = separate(plan, v0, h);
   separated_ = path_;
   const bool hits = prevent_crossings(plan, h);
   if (has_failed_ || !(touches || is_separated || hits)) return false;
@@ -200,18 +200,36 @@ void SurfaceStep::note_pressed(const Plan& plan, double h) {
   }
 }
 
-// Displacements, without velocities, that separate what is closer than its thickness. Returns whether there are any.
-bool SurfaceStep::separate(double h) {
+// Displacements, without velocities, that separate what is closer than its thickness. Returns whether there are any. What forces other than
+// gravity press together stays as close as it is: separating against springs, while friction holds what they would pull back, stretches
+// them without end.
+bool SurfaceStep::separate(const Plan& plan, const Field& v0, double h) {
   path_ = u_;
-  bool any = false;
   const double part = std::min(max_separation, h / separation_time);
-  for (SurfaceContact& contact : contacts_.surface)
-    if (contact.gap < 0.0) {
-      contact.target = -part * contact.gap / h;
-      any = true;
-    }
+  const auto is_close = [](const SurfaceContact& contact) { return contact.gap < 0.0; };
+  if (std::ranges::none_of(contacts_.surface, is_close)) return false;
+  // [m/s], by forces other than gravity in the substep, and what counts as none, by rounding or drag
+  shift_.resize(x_.size());
+  double max_speed = 0.0;
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    const bool is_free = inverse_mass_[k] != 0.0;
+    shift_[k] = is_free ? free_velocity_[k] - point_in(plan, v0, plan.surface.points[k]) - h * plan.gravity : Vec3(0.0);
+    if (is_free) max_speed = std::max(max_speed, glm::length(free_velocity_[k]));
+  }
+  const double tolerance = 1e-3 * h * glm::length(plan.gravity) + 1e-12 * max_speed;
+  bool any = false;
+  for (SurfaceContact& contact : contacts_.surface) {
+    const double approach = -glm::dot(contact.normal, weighted(u_, contact.points, contact.weight));
+    const bool is_pressed = glm::dot(contact.normal, weighted(shift_, contact.points, contact.weight)) < -tolerance;
+    contact.target = !is_close(contact) ? std::min(0.0, contact.target + approach) : is_pressed ? 0.0 : approach - part * contact.gap / h;
+    any = any || contact.target > 0.0;
+  }
   if (!any) return false;
-  any = contacts_.separate(inverse_mass_, path_);
+  for (ObstacleContact& contact : contacts_.obstacles)
+    contact.target = std::min(0.0, contact.target - glm::dot(contact.normal, u_[contact.point]));
+  shift_.assign(x_.size(), Vec3(0.0));
+  any = contacts_.separate(inverse_mass_, plan.surface.friction, shift_);
+  for (std::size_t k = 0; k < x_.size(); ++k) path_[k] += shift_[k];
   for (SurfaceContact& contact : contacts_.surface) contact.separating = contact.impulse.normal;
   for (ObstacleContact& contact : contacts_.obstacles) contact.pressing += contact.impulse.normal;
   return any;

@@ -49,7 +49,7 @@ class SurfaceStep {
   void add_obstacles(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion);
   void note_impacts(const Plan& plan, const Field& v0, double h, const Motion& motion);
   void note_pressed(const Plan& plan, double h);
-  bool separate(double h);
+  bool separate(const Plan& plan, const Field& v0, double h);
   bool prevent_crossings(const Plan& plan, double h);
   bool handle_impact(const SurfacePair& pair, double part, double h, bool joins);
   bool join(const std::array<Index, 4>& points);
@@ -59,7 +59,7 @@ class SurfaceStep {
   void write(const Plan& plan, const Field& v0, double h, Motion& motion);
   SuppliedWork supplied_work(const Plan& plan, const Motion& motion) const;
   void rebound(const Plan& plan);
-  void note_collisions(const Motion& motion);
+  void note_collisions(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion);
   // Whether dashpots transmit what contact changes. Where points touch each other, too, they do not.
   static bool transmits(const Plan& plan) { return plan.has_dashpots() && !plan.pairs.on; }
   void transmit_through_dashpots(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, bool touches, double h,
@@ -79,6 +79,7 @@ class SurfaceStep {
   bool kicks_last_ = false;  // whether the method ends a substep by accelerating points
   // [m/s], displacement over h: without this contact, with its impulses, with what separates, and without impacts
   std::vector<Vec3> free_u_, u_, separated_, path_;
+  std::vector<Vec3> shift_;               // [m/s], that separates, over h
   std::vector<Vec3> velocity_, at_rest_;  // [m/s], at the end, and without rebounds
   std::vector<Vec3> last_kick_;           // [m/s], the part of it by forces at the end, if the method kicks last
 
