@@ -18,7 +18,6 @@ struct PlacedSurface {
 inline PlacedSurface place_surface(const System& system, const State& state) {
   PlacedSurface surface{.plan = plan_surface(system), .place = {}, .tree = {}};
   if (!surface.plan.on) return surface;
-  surface.plan.spheres_touch = false;  // those are found as points that overlap
   for (const Index i : surface.plan.points) surface.place.push_back(state.position[i]);
   surface.tree.build(surface.plan, surface.place);
   return surface;

@@ -110,7 +110,7 @@ TEST(Crossings, AreThoseOfTheIndependentCount) {
   std::vector<PointId> ids;
   for (int i = 0; i < 60; ++i) ids.push_back(sim.add(anywhere(random)));
   for (int i = 0; i < 60; i += 3) sim.system.faces.push_back({{ids[i], ids[i + 1], ids[i + 2]}});
-  sim.system.contact = {.points = true, .faces = true};
+  sim.system.contact.faces = true;
   const SurfacePlan plan = plan_surface(sim.system);
   SurfaceTree tree;
   tree.build(plan, sim.state.position);
@@ -173,7 +173,7 @@ TEST(SurfaceTree, FindsAllPairsWithinReachOnce) {
     const PointId id = sim.add(2.0 * anywhere(random));
     sim.system.point(sim.system.index_of(id)).radius = random.uniform(0.0, 0.3);
   }
-  sim.system.contact = {.points = true, .faces = true};
+  sim.system.contact.faces = true;
   const SurfacePlan plan = plan_surface(sim.system);
   const std::vector<Vec3>& x = sim.state.position;
   for (const double reach : {0.01, 0.3, 10.0}) {

@@ -243,7 +243,8 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   }
   resolve_points(plan, obstacles, before, motion, h, touched);
   if (touched && !before.is_limited) before.damping.end_point_contact(plan, h, motion);
-  if (plan.surface.on && before.surface.resolve(plan, obstacles, before.x, before.v, h, motion)) {
+  const std::span<const PointPair> near = plan.pairs.on ? before.pairs.near() : std::span<const PointPair>();
+  if (plan.surface.on && before.surface.resolve(plan, obstacles, near, before.x, before.v, h, motion)) {
     touched = true;
     before.first_touch = 0.0;
   }

@@ -21,15 +21,12 @@ long usual_work(std::size_t points) { return 5'000 * static_cast<long>(points); 
 // In a frame, beyond usual_work of each substep: parts of a second.
 constexpr long max_excess = 10'000'000;
 
-double touching_distance(const Plan& plan, const PointPair& pair) {
-  return plan.radius[pair.i] + plan.radius[pair.j] + plan.pairs.thickness;
-}
-
 }  // namespace
 
 bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
                          Motion& motion) {
   has_failed_ = false;
+  near_.clear();
   is_involved_.assign(plan.points, 0);
   // a motion that is not finite has diverged
   if (!measure(plan, obstacles, x0, v0, h, motion)) return false;
@@ -115,6 +112,7 @@ bool PairSolver::involve_pairs(const Plan& plan, const Field& x0) {
     const double approach = glm::length(first.displacement - second.displacement) + first.deviation + second.deviation;
     if (distance > touching_distance(plan, pair) + approach + contact_tolerance(Vec3(distance))) continue;
     is_involved_[pair.i] = is_involved_[pair.j] = 1;
+    near_.push_back(pair);
     any = true;
   }
   return any;

@@ -11,6 +11,11 @@
 
 namespace hooke {
 
+// Of the centers [m].
+inline double touching_distance(const Plan& plan, const PointPair& pair) {
+  return plan.radius[pair.i] + plan.radius[pair.j] + plan.pairs.thickness;
+}
+
 // Pairs that come close enough to matter are found once for many substeps, with a margin for each point, and again as soon as a point has
 // used up its margin. What a substep does does not depend on the margins, but on its start and the forces of the last one in the frame.
 class PairSolver {
@@ -32,6 +37,8 @@ class PairSolver {
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
   // Whether the last call dealt with the point, which then needs nothing else.
   bool has_resolved(Index i) const { return is_involved_[i] != 0; }
+  // The pairs that may have touched in the last call, in ascending order.
+  std::span<const PointPair> near() const { return near_; }
   // [J], of contact in the substep, in addition to that of the forces, and how much of it the hand and colliders may have supplied.
   double work() const { return work_; }
   const SuppliedWork& supplied() const { return supplied_; }
@@ -58,7 +65,7 @@ class PairSolver {
   void write(const Plan& plan, double h, Motion& motion);
 
   PairSearch search_;
-  std::vector<PointPair> pairs_;
+  std::vector<PointPair> pairs_, near_;
   Field found_at_;              // positions at which they were found
   std::vector<double> margin_;  // [m], per point: up to which distance from there they are all; empty: not found in this frame
   std::vector<double> wanted_, extent_;

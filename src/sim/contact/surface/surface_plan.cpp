@@ -82,8 +82,6 @@ class SurfacePlanner {
 
   void add_spheres(std::span<const char> spheres) {
     if (std::ranges::find(spheres, 1) == spheres.end()) return;
-    plan_.spheres_touch = system_.contact.points;
-    plan_.sphere_thickness = system_.contact.thickness;
     plan_.radius.assign(plan_.points.size(), 0.0);
     for (Index k = 0; k < static_cast<Index>(plan_.points.size()); ++k) {
       const Index i = plan_.points[k];
@@ -166,7 +164,6 @@ class SurfacePlanner {
                                     : std::clamp(given, min_relative_thickness * at_rest, max_relative_thickness * at_rest));
       plan_.max_thickness = std::max(plan_.max_thickness, plan_.thickness.back());
     }
-    if (plan_.spheres_touch) plan_.max_thickness = std::max(plan_.max_thickness, plan_.sphere_thickness);
     double sum = 0.0;
     std::size_t count = 0;
     for (const EdgeEnds& edge : plan_.edges)
@@ -208,18 +205,11 @@ bool are_linked(std::span<const Index> first, std::span<const Index> second, con
 
 bool SurfacePlan::excludes_face(Index point, std::span<const Index> face) const { return are_linked({&point, 1}, face, close); }
 
-// The closest point of the edge of a face is that of the face.
+// The closest point of the edge of a face is that of the face. Spheres touch each other only as points do.
 bool SurfacePlan::excludes_edge(Index edge, Index other) const {
-  if (!radius.empty() && (is_sphere(edge) || is_sphere(other))) {
-    if (is_spring[edge] == 0 || is_spring[other] == 0) return true;
-    if (!spheres_touch && is_sphere(edge) && is_sphere(other)) return true;
-  }
+  if (!radius.empty() && ((is_sphere(edge) && (is_spring[other] == 0 || is_sphere(other))) || (is_sphere(other) && is_spring[edge] == 0)))
+    return true;
   return are_linked(edges[edge], edges[other], is_spring[edge] || is_spring[other] ? joined : close);
-}
-
-double SurfacePlan::thickness_of(const std::array<Index, 4>& pair) const {
-  const double min = std::min({thickness[pair[0]], thickness[pair[1]], thickness[pair[2]], thickness[pair[3]]});
-  return std::isinf(min) ? sphere_thickness : min;
 }
 
 SurfacePlan plan_surface(const System& system) {

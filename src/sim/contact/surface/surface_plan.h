@@ -1,6 +1,7 @@
 // Contact of faces and springs, compiled for stepping: what touches, and what does not.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -27,9 +28,6 @@ struct SurfacePlan {
   std::vector<Index> points;      // of the scene, in ascending order
   std::vector<double> thickness;  // [m], per point: features touch at the minimum over their points; infinite for spheres
   std::vector<double> radius;     // [m], per point, of spheres, which touch at that in addition; 0 of others. Empty: there are no spheres
-  // Whether spheres touch each other, too: what faces and springs do to one must not press it into another.
-  bool spheres_touch = false;
-  double sphere_thickness = 0.0;  // [m], of two spheres
   double max_thickness = 0.0;     // [m]
   double edge_length = 0.0;       // [m], mean at rest, of springs on the edges; 0: there are none
   std::vector<Piece> pieces;      // faces, then springs, then spheres
@@ -44,8 +42,10 @@ struct SurfacePlan {
   bool excludes_edge(Index edge, Index other) const;
   bool is_sphere(Index edge) const { return edges[edge][0] == edges[edge][1]; }
   // Of a pair of features with these points [m]. A sphere comes first.
-  double radius_of(const std::array<Index, 4>& pair) const { return radius.empty() ? 0.0 : radius[pair[0]] + radius[pair[2]]; }
-  double thickness_of(const std::array<Index, 4>& pair) const;
+  double radius_of(const std::array<Index, 4>& pair) const { return radius.empty() ? 0.0 : radius[pair[0]]; }
+  double thickness_of(const std::array<Index, 4>& pair) const {
+    return std::min({thickness[pair[0]], thickness[pair[1]], thickness[pair[2]], thickness[pair[3]]});
+  }
 };
 
 SurfacePlan plan_surface(const System& system);

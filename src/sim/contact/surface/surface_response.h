@@ -70,7 +70,8 @@ struct ObstacleContact {
 struct SurfaceContacts {
   std::vector<SurfaceContact> surface;
   std::vector<ObstacleContact> obstacles;
-  long impulses = 0;  // computed between features, since it was set
+  bool has_points = false;  // whether `surface` contains pairs of points
+  long impulses = 0;        // computed between features, since it was set
 
   // Changes velocities, per point, in Gauss-Seidel sweeps, forward and backward in turn, obstacles last, until they change little: by the
   // least impulses for which nothing is below its target, and the Coulomb impulses of up to friction times these. What one contact no

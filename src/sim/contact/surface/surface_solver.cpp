@@ -19,9 +19,9 @@ void SurfaceSolver::begin_substep(const Plan& plan, double velocity_lag, bool ki
   step_->begin_substep(plan, velocity_lag, kicks_last, unlimited, damping, motion);
 }
 
-bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
-                            Motion& motion) {
-  return step_->resolve(plan, obstacles, x0, v0, h, motion);
+bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0,
+                            const Field& v0, double h, Motion& motion) {
+  return step_->resolve(plan, obstacles, near, x0, v0, h, motion);
 }
 
 bool SurfaceSolver::has_failed() const { return step_ && step_->has_failed(); }

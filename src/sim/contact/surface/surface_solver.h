@@ -5,6 +5,7 @@
 #include <span>
 
 #include "sim/contact/obstacle.h"
+#include "sim/contact/pair_search.h"
 #include "sim/forces/dashpots/damping_work.h"
 #include "sim/motion.h"
 
@@ -36,8 +37,10 @@ class SurfaceSolver {
   // Before other contacts: remembers where the method leads, with its velocities before the strain limit changed them, if it did.
   void begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, DampingWork& damping,
                      const Motion& motion);
-  // Corrects the step of h that led from (x0, v0) to the motion. Returns whether anything touched.
-  bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
+  // Corrects the step of h that led from (x0, v0) to the motion. Returns whether anything touched. `near`: pairs of points that may touch
+  // each other in it; what features do to them does not press them into each other.
+  bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0, const Field& v0,
+               double h, Motion& motion);
   // Whether the last call gave up: there are more than PairSolver::max_pairs pairs.
   bool has_failed() const;
 

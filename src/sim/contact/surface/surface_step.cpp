@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/contact/pair_solver.h"
+
 namespace hooke {
 namespace {
 
@@ -38,20 +40,20 @@ void SurfaceStep::begin_substep(const Plan& plan, double velocity_lag, bool kick
   all_free_end_ = motion.x;
 }
 
-bool SurfaceStep::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
-                          Motion& motion) {
+bool SurfaceStep::resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0,
+                          const Field& v0, double h, Motion& motion) {
   contacts_.impulses = distances_ = 0;
   held_impulse_ = 0.0;
   note_collisions(plan, obstacles, h, motion);
-  const bool touches = correct(plan, obstacles, x0, v0, h, motion);
+  const bool touches = correct(plan, obstacles, near, x0, v0, h, motion);
   if (transmits(plan)) transmit_through_dashpots(plan, obstacles, x0, touches, h, motion);
   motion.contact_tests += search_.tests() + distances_;
   motion.contact_impulses += contacts_.impulses;
   return touches;
 }
 
-bool SurfaceStep::correct(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
-                          Motion& motion) {
+bool SurfaceStep::correct(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0,
+                          const Field& v0, double h, Motion& motion) {
   has_failed_ = false;
   // a motion that is not finite has diverged
   if (!load(plan, x0, h, motion)) return false;
@@ -61,6 +63,7 @@ bool SurfaceStep::correct(const Plan& plan, std::span<const Obstacle> obstacles,
   if (has_failed_ || !search_.is_any_near()) return false;
 
   make_contacts(plan, h);
+  add_points(plan, near, h);
   add_obstacles(plan, obstacles, h, motion);
   free_u_ = u_;
   note_impacts(plan, v0, h, motion);
@@ -93,6 +96,8 @@ void SurfaceStep::start_frame(const Plan& plan) {
   const std::size_t n = plan.surface.points.size();
   inverse_mass_.resize(n);
   for (std::size_t k = 0; k < n; ++k) inverse_mass_[k] = plan.inverse_mass[plan.surface.points[k]];
+  local_.assign(plan.points, no_index);
+  for (std::size_t k = 0; k < n; ++k) local_[plan.surface.points[k]] = static_cast<Index>(k);
   const auto held = plan.held ? std::ranges::lower_bound(plan.surface.points, *plan.held) : plan.surface.points.end();
   held_ = held != plan.surface.points.end() && *held == *plan.held ? static_cast<Index>(held - plan.surface.points.begin()) : no_index;
   search_.begin_frame(plan, x_);
@@ -115,39 +120,45 @@ void SurfaceStep::make_contacts(const Plan& plan, double h) {
     search_.visit_touching(plan.surface, kind, [&](const SurfacePair& pair, const Closest& closest, double approach) {
       const double gap =
           closest.distance - plan.surface.radius_of(pair.points) - search_.part(pair) * plan.surface.thickness_of(pair.points);
-      if (gap >= search_.max_gap(approach)) return;
-      SurfaceContact contact{.kind = pair.kind, .points = pair.points, .gap = gap};
-      contact.move_to(closest, inverse_mass_);
-      if (contact.response == 0.0) return;
-      contact.is_driven = std::ranges::find(contact.points, held_) != contact.points.end();
-      contact.target = std::min(0.0, -gap / h);
-      contacts_.surface.push_back(contact);
+      if (gap < search_.max_gap(approach)) add_contact(pair.kind, pair.points, closest, gap, h);
     });
-  drop_free_spheres(plan.surface);
 }
 
-// Contact of points has resolved pairs of spheres: of these, only what is in a chain of contacts with a face or spring remains.
-void SurfaceStep::drop_free_spheres(const SurfacePlan& surface) {
-  if (!surface.spheres_touch) return;
-  const auto is_of_spheres = [](const SurfaceContact& contact) {
-    const auto& [i, j, k, l] = contact.points;
-    return contact.kind == FeaturePair::TwoEdges && i == j && k == l;
+void SurfaceStep::add_contact(FeaturePair kind, const std::array<Index, 4>& points, const Closest& closest, double gap, double h) {
+  SurfaceContact contact{.kind = kind, .points = points, .gap = gap, .target = std::min(0.0, -gap / h)};
+  contact.move_to(closest, inverse_mass_);
+  if (contact.response == 0.0) return;
+  contact.is_driven = std::ranges::find(points, held_) != points.end();
+  contacts_.surface.push_back(contact);
+}
+
+// Contact of points has resolved those that touch each other. What features do to one must not press it into another: of the pairs of
+// points, those in a chain with a feature are contacts, too.
+void SurfaceStep::add_points(const Plan& plan, std::span<const PointPair> near, double h) {
+  contacts_.has_points = false;
+  if (near.empty() || contacts_.surface.empty()) return;
+  const auto is_free = [&](Index k) { return inverse_mass_[k] != 0.0; };
+  const auto use_pairs = [&](const auto& use) {
+    for (const PointPair& pair : near)
+      if (const Index i = local_[pair.i], j = local_[pair.j]; i != no_index && j != no_index) use(pair, i, j);
   };
-  is_marked_.assign(surface.points.size(), 0);
+  chains_.reset(x_.size());
+  use_pairs([&](const PointPair&, Index i, Index j) {
+    if (is_free(i) && is_free(j)) chains_.join(i, j);
+  });
+  is_marked_.assign(x_.size(), 0);
   for (const SurfaceContact& contact : contacts_.surface)
-    if (!is_of_spheres(contact))
-      for (const Index k : contact.points) is_marked_[k] = 1;
-  for (bool grows = true; grows;) {
-    grows = false;
-    for (const SurfaceContact& contact : contacts_.surface) {
-      char &first = is_marked_[contact.points[0]], &second = is_marked_[contact.points[2]];
-      if (!is_of_spheres(contact) || first == second) continue;
-      first = second = 1;
-      grows = true;
-    }
-  }
-  std::erase_if(contacts_.surface,
-                [&](const SurfaceContact& contact) { return is_of_spheres(contact) && is_marked_[contact.points[0]] == 0; });
+    for (const Index k : contact.points)
+      if (is_free(k)) is_marked_[chains_.root(k)] = 1;
+  use_pairs([&](const PointPair& pair, Index i, Index j) {
+    if (is_marked_[chains_.root(is_free(i) ? i : j)] == 0) return;
+    const Vec3 separation = x_[i] - x_[j];
+    const double distance = glm::length(separation);
+    if (distance < coincident) return;
+    contacts_.has_points = true;
+    add_contact(FeaturePair::TwoEdges, {i, i, j, j}, {.weight = {1.0, 0.0, -1.0, 0.0}, .separation = separation, .distance = distance},
+                distance - touching_distance(plan, pair), h);
+  });
 }
 
 // The obstacles that the points of contacts may be pressed into. They are convex: outside the plane that touches one where it is nearest,

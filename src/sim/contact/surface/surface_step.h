@@ -4,8 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "sim/contact/contact_work.h"
 #include "sim/contact/obstacle.h"
+#include "sim/contact/pair_search.h"
 #include "sim/contact/surface/surface_response.h"
 #include "sim/contact/surface/surface_search.h"
 #include "sim/forces/dashpots/damping_work.h"
@@ -33,19 +35,22 @@ class SurfaceStep {
   }
   void begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, DampingWork& damping,
                      const Motion& motion);
-  bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
+  bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0, const Field& v0,
+               double h, Motion& motion);
   bool has_failed() const { return has_failed_; }
   long searches() const { return search_.searches(); }
   long impacts() const { return impacts_; }
   long candidates() const { return search_.candidates(); }
 
  private:
-  bool correct(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
+  bool correct(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0, const Field& v0,
+               double h, Motion& motion);
   bool load(const Plan& plan, const Field& x0, double h, const Motion& motion);
   void start_frame(const Plan& plan);
   double max_speed(std::span<const Vec3> velocity) const;
   void make_contacts(const Plan& plan, double h);
-  void drop_free_spheres(const SurfacePlan& surface);
+  void add_points(const Plan& plan, std::span<const PointPair> near, double h);
+  void add_contact(FeaturePair kind, const std::array<Index, 4>& points, const Closest& closest, double gap, double h);
   void add_obstacles(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion);
   void note_impacts(const Plan& plan, const Field& v0, double h, const Motion& motion);
   void note_pressed(const Plan& plan, double h);
@@ -101,7 +106,9 @@ class SurfaceStep {
 
   Index held_ = no_index;  // the held point
   std::vector<char> is_marked_;
-  std::vector<Index> zone_;  // per point: the first of those that move together
+  DisjointSets chains_;       // points that may touch each other
+  std::vector<Index> local_;  // per point of the scene: of the surface; no_index: not on it
+  std::vector<Index> zone_;   // per point: the first of those that move together
   bool has_failed_ = false;
   double held_impulse_ = 0.0;  // [N s], a bound on the impulses of impacts on the held point in the substep
   long impacts_ = 0;
