@@ -126,6 +126,33 @@ TestSim falling_pair() {
   return sim;
 }
 
+// On a smaller ball without friction, which both leave, one at either side.
+TestSim pair_that_leaves_a_ball() {
+  TestSim sim;
+  const PointId first = sim.add({0.2, 0.7, 0.0}, 1.0, {0.0, -2.0, 0.0}), second = sim.add({-0.15, 0.6, 0.1}, 0.5, {0.0, -2.0, 0.1});
+  sim.join(first, second, 5.0, 0.4);
+  sim.system.colliders = {{.shape = Sphere{.radius = 0.48}, .restitution = 0.0}};
+  return sim;
+}
+
+// The same with friction.
+TestSim pair_that_leaves_a_rough_ball() {
+  TestSim sim = pair_that_leaves_a_ball();
+  sim.system.colliders[0].friction = 0.3;
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->stiffness = 20.0;
+  return sim;
+}
+
+// A pair on a floor that moves down faster than it falls, from the middle of the run on.
+TestSim pair_that_leaves_a_floor() {
+  TestSim sim;
+  const PointId first = sim.add({0.0, 0.0, 0.0}, 1.0, {0.2, 0.0, 0.0}), second = sim.add({1.0, 0.0, 0.1}, 0.5, {0.2, 0.0, -0.1});
+  sim.join(first, second, 20.0, 0.9);
+  sim.system.colliders = {{.shape = Plane{}, .restitution = 0.0, .path = {.amplitude = {0.0, 0.1, 0.0}, .frequency = 2.0, .phase = -1.5}}};
+  for (Index i = 0; i < 2; ++i) sim.state.position[i].y = sim.system.colliders[0].path.offset(0.0).y;
+  return sim;
+}
+
 // The order through an impact without restitution and the motion on the surface after it. The place of the impact within a step varies with
 // the number of steps, and the error with it: a fit over many numbers of steps.
 double order_after_impact(const Integrator& method, TestSim (*make)()) {
@@ -154,6 +181,15 @@ TEST_P(Row, MeetsItsOrderUnderFriction) { EXPECT_NEAR(order_after_impact(method(
 
 TEST_P(Row, MeetsItsOrderUnderFrictionOnASphere) {
   EXPECT_NEAR(order_after_impact(method(), sliding_pair_on_sphere), method().order_friction, 0.2);
+}
+
+TEST_P(Row, MeetsItsOrderWhereItLeavesABall) {
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_ball), method().order_contact, 0.2);
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_rough_ball), method().order_friction, 0.2);
+}
+
+TEST_P(Row, MeetsItsOrderWhereItLeavesAFloor) {
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_floor), method().order_contact, 0.2);
 }
 
 TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) { EXPECT_NEAR(order_after_impact(method(), falling_pair), method().order_contact, 0.2); }

@@ -19,6 +19,9 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
   for (int segments = 0; remaining > 0.0 && segments < max_path_segments; ++segments) {
     supports = find_supports(a, remaining);
     Segment segment = plan_segment(supports, a, remaining, segments == 0 ? friction_lag_ : 0.0);
+    // What leaves its supports ends as in a flight. Otherwise its correction in the next step, along the acceleration, would lead back into
+    // them: an impact in each step. One against the acceleration (explicit_euler) does not.
+    if (!supports.any_loaded() && glm::dot(velocity_correction - velocity_correction_, a) > 0.0) velocity_correction_ = velocity_correction;
     const Vec3 start = x;
     if (segment.sticks) v = segment.support.surface;
     v += segment.velocity_correction;
