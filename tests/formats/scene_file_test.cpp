@@ -103,6 +103,12 @@ TEST(SceneFile, BallsInSpringsAreReported) {
           "test.json: contact.springs: 1 point overlaps faces or springs, point 2 most, by 0.2 m: each leaves them on the side of its "
           "center"});
   EXPECT_TRUE(warnings("0.3", "{}").empty());
+
+  // at its radius, it touches
+  EXPECT_EQ(warnings("0.5"),
+            std::vector<std::string>{
+                "test.json: contact.springs: 1 pair starts closer than an eighth of the thickness, point 2 and the edge of points 0 and 1 "
+                "most, by 0.1 m of 0.1 m: they separate slowly, which may stretch springs and so supply energy"});
 }
 
 TEST(SceneFile, PartsInTheSamePlaceAreReportedBecauseTheyNeverTouch) {

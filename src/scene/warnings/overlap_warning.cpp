@@ -31,10 +31,11 @@ std::optional<std::string> close_start_warning(const System& system, const State
   for (const SurfacePair& pair : pairs) {
     const auto& [i, j, k, l] = pair.points;
     const double thickness = plan.thickness_of(pair.points),
-                 distance = closest_points(pair.kind, {place[i], place[j], place[k], place[l]}).distance - plan.radius_of(pair.points);
+                 separation = closest_points(pair.kind, {place[i], place[j], place[k], place[l]}).distance,
+                 distance = separation - plan.radius_of(pair.points);
     // bent sheets touch at a quarter of it
     if (distance >= thickness / 8.0) continue;
-    if (distance < coincident) {
+    if (separation < coincident) {
       ++count_in_one_place;
       continue;
     }
@@ -51,11 +52,14 @@ std::optional<std::string> close_start_warning(const System& system, const State
            (count_in_one_place == 1 ? " pair is" : " pairs are") + " in the same place, where they never touch: move one of them apart";
   if (count == 0) return std::nullopt;
   const auto name_of = [&, &points = plan.points](int c) { return std::to_string(points[deepest[static_cast<std::size_t>(c)]]); };
+  const auto is_sphere = [&](std::size_t c) { return deepest[c] == deepest[c + 1]; };
+  const auto ends_of = [&](int c) { return name_of(c) + " and " + name_of(c + 1); };
+  const std::string edges = is_sphere(0)   ? "point " + name_of(0) + " and the edge of points " + ends_of(2)
+                            : is_sphere(2) ? "the edge of points " + ends_of(0) + " and point " + name_of(2)
+                                           : "the edge of points " + ends_of(0) + " and that of points " + ends_of(2);
   return setting + (is_complete ? "" : "at least ") + std::to_string(count) + (count == 1 ? " pair starts" : " pairs start") +
          " closer than an eighth of the thickness, " +
-         (is_face
-              ? "point " + name_of(0) + " and the face of points " + name_of(1) + ", " + name_of(2) + " and " + name_of(3)
-              : "the edge of points " + name_of(0) + " and " + name_of(1) + " and that of points " + name_of(2) + " and " + name_of(3)) +
+         (is_face ? "point " + name_of(0) + " and the face of points " + name_of(1) + ", " + name_of(2) + " and " + name_of(3) : edges) +
          " most, by " + quantity_text(depth, "m", 2) + " of " + quantity_text(touching, "m", 2) +
          ": they separate slowly, which may stretch springs and so supply energy";
 }
