@@ -135,8 +135,8 @@ TEST_P(BeadContactOf, DoesNotPressBallsIntoBeadsOfANet) { expect_no_overlap(meth
 
 // Two ropes of beads that hit each other bead on bead: their springs stay apart, and change nothing.
 TEST_P(BeadContactOf, LeavesImpactsOfBeadsToContactOfPoints) {
-  // which takes longer steps where no springs touch
-  if (&method() == &adaptive_integrator()) GTEST_SKIP();
+  // an adaptive method takes longer steps where no springs touch
+  const double tolerance = &method() == &adaptive_integrator() ? 1e-3 : 1e-9;
   for (const double restitution : {0.0, 0.5, 1.0}) {
     std::array<TestSim, 2> sims;
     for (const bool springs : {false, true}) {
@@ -156,8 +156,8 @@ TEST_P(BeadContactOf, LeavesImpactsOfBeadsToContactOfPoints) {
     }
     EXPECT_GT(glm::distance(sims[0].state.velocity[1], Vec3(-0.1, 1.0, 0.2)), 0.1) << "they hit each other";
     for (std::size_t i = 0; i < sims[0].state.position.size(); ++i) {
-      EXPECT_NEAR(glm::distance(sims[0].state.velocity[i], sims[1].state.velocity[i]), 0.0, 1e-9) << restitution;
-      EXPECT_NEAR(glm::distance(sims[0].state.position[i], sims[1].state.position[i]), 0.0, 1e-9) << restitution;
+      EXPECT_NEAR(glm::distance(sims[0].state.velocity[i], sims[1].state.velocity[i]), 0.0, tolerance) << restitution;
+      EXPECT_NEAR(glm::distance(sims[0].state.position[i], sims[1].state.position[i]), 0.0, tolerance) << restitution;
     }
   }
 }
