@@ -96,7 +96,7 @@ double ErrorScale::relative(double position_error, double velocity_error) const 
 void AdaptiveStep::begin_frame(const Plan& plan, Motion& motion, Workspace& work) {
   free_step_ = 0.0;
   surface_steps_ = 0;
-  for (ContactWorkspace* each : {&before_, &piece_}) each->damping.begin_frame(plan, motion, work);
+  for (ContactWorkspace* each : {&before_, &piece_}) each->damping.begin_frame(plan, 0.0, motion, work);
   if (!has_corrections(plan)) return;
   for (Field* field : {&before_.x, &before_.v, &piece_.x, &piece_.v, &coarse_x_, &coarse_v_}) field->resize(motion.x.size());
   for (ContactWorkspace* each : {&before_, &piece_}) each->begin_frame();

@@ -98,7 +98,7 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   work_.tolerance = settings.tolerance;
   work_.min_step = 1e-9 * h_;
   force_work_.begin_frame(plan, motion_);
-  before_.damping.begin_frame(plan, motion_, work_);
+  before_.damping.begin_frame(plan, integrator_->velocity_lag, motion_, work_);
   before_.begin_frame();
   before_.velocity_lag = integrator_->velocity_lag;
   before_.friction_lag = integrator_->symplectic ? integrator_->velocity_lag : 0.0;

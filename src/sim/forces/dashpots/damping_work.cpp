@@ -34,7 +34,8 @@ double speed_along(const Plan& plan, const Field& x, const Field& v, Index first
 
 }  // namespace
 
-void DampingWork::begin_frame(const Plan& plan, Motion& motion, Workspace& work) {
+void DampingWork::begin_frame(const Plan& plan, double velocity_lag, Motion& motion, Workspace& work) {
+  velocity_lag_ = velocity_lag;
   is_measured_ = motion.measures_damping = is_measured(plan);
   work.dashpots.measure(is_measured_ && plan.has_dashpots(), motion.x.size());
   if (!is_measured_) return;
@@ -83,9 +84,10 @@ void DampingWork::note_last_kick(const Plan& plan, const Field& kick) {
       last_kick_work_ += plan.mass[i] * sweeps_->last_change()[at] * kick[at];
 }
 
-// Each sweep dissipates the kinetic energy that it takes. Where contact moves points to `x`, and accelerates them before the last sweep,
+// Each sweep dissipates the kinetic energy that it takes. Where contact moves points to `end`, and accelerates them before the last sweep,
 // its impulses act on what is as much faster.
-double DampingWork::work_of_sweeps(const Plan& plan, double h, const Field& x) const {
+double DampingWork::work_of_sweeps(const Plan& plan, double h, const Motion* end) const {
+  const Field& x = end != nullptr ? end->x : free_x_;
   double work = last_kick_work_;
   for (int c = 0; c < plan.dimensions; ++c)
     for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
@@ -94,8 +96,10 @@ double DampingWork::work_of_sweeps(const Plan& plan, double h, const Field& x) c
 }
 
 // A dashpot exerts the impulse -d (l1 - l0) in the step, l its length, on ends that separate with the mean of the velocities before and
-// after it, and as much faster as contact then moves them to `x`.
-double DampingWork::work_of_forces(const Plan& plan, double h, const Field& x) const {
+// after it. Contact that then moves them to `end` acts at the start of the path: they are as much faster. Where the velocity lags behind
+// the positions, that of the path is the one after the step: half of the impulse has acted before contact, so that it does no work on what
+// contact leaves at rest.
+double DampingWork::work_of_forces(const Plan& plan, double h, const Motion* end) const {
   double free = 0.0, moved = 0.0;
   for (const SpringRun& run : plan.runs)
     for (Index e = 0; e < run.count; ++e) {
@@ -105,16 +109,21 @@ double DampingWork::work_of_forces(const Plan& plan, double h, const Field& x) c
       const double l0 = spring_length(plan, x_, first, second), l1 = spring_length(plan, free_x_, first, second);
       const double w0 = speed_along(plan, x_, v_, first, second, l0), w1 = speed_along(plan, free_x_, free_v_, first, second, l1);
       free -= 0.5 * d * (l1 - l0) * (w0 + w1);
-      if (&x != &free_x_) moved -= d * (l1 - l0) * (spring_length(plan, x, first, second) - l1);
+      if (end != nullptr) moved -= d * (l1 - l0) * (spring_length(plan, end->x, first, second) - l1) / h;
     }
-  // Where steps do not resolve the dashpots, that is more than they can exert: no more than is missing, where nothing else supplies energy.
+  moved *= 1.0 - std::max(0.0, velocity_lag_);
+  // Where steps do not resolve the dashpots, that is more than they can exert: no more than is missing, where nothing else supplies
+  // energy.
   constexpr double max_resolved = 0.3;
   if (plan.spectrum.dashpot_rate * h > max_resolved && !plan.held && !plan.pull) {
     const double before = kinetic_energy(plan, v_) + potential_energy(plan, start_ + 0.5 * h, x_);
     const double after = kinetic_energy(plan, free_v_) + potential_energy(plan, start_ + 0.5 * h, free_x_);
-    free = std::max(free, std::min(0.0, after - before));
+    if (const double possible = std::min(0.0, after - before); free < possible) {
+      moved *= possible / free;
+      free = possible;
+    }
   }
-  return std::min(0.0, free) + moved / h;
+  return std::min(0.0, free) + moved;
 }
 
 void DampingWork::end_substep(const Plan& plan, double h, bool is_limited, Motion& motion) {
@@ -122,8 +131,8 @@ void DampingWork::end_substep(const Plan& plan, double h, bool is_limited, Motio
   if (is_measured_ && plan.drag > 0.0) motion.drag_work -= h * plan.drag * (kinetic_energy(plan, v_) + kinetic_energy(plan, motion.v));
   if (is_measured_ && plan.has_dashpots()) {
     // the work of contact is the change of the energy where the strain limit has acted, and otherwise that of its impulses
-    const Field& x = is_limited ? free_x_ : motion.x;
-    motion.dashpot_work += sweeps_->has_swept() ? work_of_sweeps(plan, h, x) : work_of_forces(plan, h, x);
+    const Motion* end = is_limited ? nullptr : &motion;
+    motion.dashpot_work += sweeps_->has_swept() ? work_of_sweeps(plan, h, end) : work_of_forces(plan, h, end);
     double dashpots = motion.dashpot_work - dashpot_work_, contact = motion.contact_work - contact_work_;
     for (double* other : {&limit, &contact}) {
       const double canceled = canceled_work(*other, dashpots);

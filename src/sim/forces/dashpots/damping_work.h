@@ -9,7 +9,7 @@ namespace hooke {
 class DampingWork {
  public:
   // Call in this order, once per frame and in each substep; a step never allocates.
-  void begin_frame(const Plan& plan, Motion& motion, Workspace& work);
+  void begin_frame(const Plan& plan, double velocity_lag, Motion& motion, Workspace& work);
   void begin_substep(const Plan& plan, const Motion& motion, Workspace& work);
   // After the step of the method.
   void end_step(const Plan& plan, const Motion& motion);
@@ -21,10 +21,12 @@ class DampingWork {
   void end_substep(const Plan& plan, double h, bool is_limited, Motion& motion);
 
  private:
-  double work_of_sweeps(const Plan& plan, double h, const Field& x) const;
-  double work_of_forces(const Plan& plan, double h, const Field& x) const;
+  // [J], of the dashpots in the substep. `end`: where contact has led; none: it has not acted on its own.
+  double work_of_sweeps(const Plan& plan, double h, const Motion* end) const;
+  double work_of_forces(const Plan& plan, double h, const Motion* end) const;
 
   bool is_measured_ = false;
+  double velocity_lag_ = 0.0;              // [1], of the method (integrator.h)
   const DashpotSweeps* sweeps_ = nullptr;  // of the method
   Field x_, v_;                            // at the start of the substep
   Field free_x_, free_v_;                  // after the step of the method
