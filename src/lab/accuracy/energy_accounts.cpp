@@ -49,7 +49,7 @@ void EnergyAccounts::start(const State& state, double energy) {
   balance_ = {.since = state.time};
   start_ = energy_ = energy;
   net_input_ = state.ledger.net_input;
-  contact_work_ = rest_ = repeated_rest_ = gain_ratio_ = dissipation_ = resolved_ = repeated_resolved_ = 0.0;
+  rest_ = repeated_rest_ = gain_ratio_ = dissipation_ = resolved_ = repeated_resolved_ = 0.0;
   is_resolved_ = false;
   power_.reset();
 }
@@ -86,9 +86,9 @@ void EnergyAccounts::add_frame(const Plan& plan, const System& system, const Sta
   balance_.colliders += motion.collider_work;
   // what a strain limit cannot have supplied is an error of the method
   balance_.limits += motion.break_work + motion.limit_work - motion.limit_gain;
-  // colliders at rest cannot have supplied energy in total: what they did is an error of the method
-  contact_work_ += motion.contact_work;
-  const double by_contact = std::min(0.0, contact_work_) - balance_.contact;
+  // What contact or dashpots supply balances what the method has lost on a path that contact takes back, or is an error of the method.
+  // Frame by frame: in total, it would hide what they have dissipated before.
+  const double by_contact = std::min(0.0, motion.contact_work);
   balance_.contact += by_contact;
 
   // the remainder is due to the method, or to the drag and the dashpots of the scene
@@ -100,9 +100,10 @@ void EnergyAccounts::add_frame(const Plan& plan, const System& system, const Sta
     balance_.method += rest;
   } else if (motion.measures_damping) {
     // in every substep: nothing has to be estimated from the ends of the frame
-    resolved_ = motion.drag_work + motion.dashpot_work;
+    const double by_dashpots = std::min(0.0, motion.dashpot_work);
+    resolved_ = motion.drag_work + by_dashpots;
     balance_.drag += motion.drag_work;
-    balance_.dashpots += motion.dashpot_work;
+    balance_.dashpots += by_dashpots;
     balance_.method += rest - resolved_;
     power_.reset();
   } else {

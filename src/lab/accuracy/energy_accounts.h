@@ -34,7 +34,6 @@ class EnergyAccounts {
   EnergyBalance balance_;
   DissipationBound bound_;
   double start_ = 0.0, energy_ = 0.0;        // [J]
-  double contact_work_ = 0.0;                // [J], of impacts and friction, as computed
   double net_input_ = 0.0;                   // [J], of the ledger after the last frame
   double rest_ = 0.0, repeated_rest_ = 0.0;  // [J], of the last frame and the repeated one: by the method, drag and dashpots together
   double resolved_ = 0.0, repeated_resolved_ = 0.0;  // [J], likewise: by drag and dashpots, from their powers at both ends of the frame
