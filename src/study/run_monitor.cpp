@@ -19,10 +19,16 @@ double unexplained_energy(const System& system, const State& state) {
   return compute_energy(system, state).total() - state.ledger.net_input;
 }
 
+// [J], in a frame, negative: by contact, and by drag and dashpots where they are measured. Neither they nor a strain limit can supply
+// anything (EnergyAccounts).
+double measured_dissipation(const Motion& motion) {
+  return std::min(0.0, motion.contact_work) + motion.drag_work + std::min(0.0, motion.dashpot_work) - motion.limit_gain;
+}
+
 // [J], at most, in a frame by contact and forces. What colliders and forces do is part of the supplied energy, up to an error no larger
 // than that; what contact with obstacles at rest dissipates is not.
 double booked_dissipation(const Motion& motion) {
-  return 2.0 * std::abs(motion.contact_work) + std::abs(motion.collider_work) + std::abs(motion.force_work - motion.reversible_work);
+  return 2.0 * std::max(0.0, -motion.contact_work) + std::abs(motion.collider_work) + std::abs(motion.force_work - motion.reversible_work);
 }
 
 bool is_large(const State& state) { return state.position.size() >= min_points_of_large_run; }
@@ -114,7 +120,7 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   const Now now{plan, settings, state, &motion};
   const double energy = unexplained_energy(system, state);
   scale_ = state.ledger.scale;
-  contact_work_ += motion.contact_work;
+  dissipated_ += measured_dissipation(motion);
   max_dissipated_ += dissipation_.end_frame(plan, system, state, motion) + booked_dissipation(motion) +
                      unresolved_dissipation(plan, settings, state, kinetic_energy(system, state));
   if (energy - lowest_.energy > rise_.energy) {
@@ -125,12 +131,19 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
     lowest_.energy = energy;
     keep(lowest_, now);
   }
+  // What contact, drag and dashpots dissipate hides a gain: the energy falls all the same. Those of a gain that is reported anyway, and of
+  // one that is too small for that, are not needed.
+  constexpr double min_gain = 0.01;  // of the supplied energy
+  gain_ = energy - start_.energy - dissipated_;
+  if (gain_ > std::max(min_gain * scale_, hidden_gain_.energy)) {
+    const double gain = modified_change(start_, energy - dissipated_, now);
+    if (gain > hidden_gain_.energy) hidden_gain_ = {gain, state.time};
+  }
   // a rise is reported above, and what the scene may dissipate is no error
   constexpr double min_loss = 0.01;  // of the supplied energy
   const bool is_loss = start_.energy - energy > min_loss * scale_ + max_dissipated_;
   change_ = is_loss ? modified_change(start_, energy, now) : energy - start_.energy;
   if (const double loss = -change_ - max_dissipated_; is_loss && loss > loss_.energy) loss_ = {loss, state.time};
-  gain_ = energy - start_.energy - std::min(0.0, contact_work_);
 }
 
 // `present`: what is left of it [J]. Where that is little, the balance at the end does not show it.
@@ -145,8 +158,9 @@ std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const 
     warnings.push_back(std::to_string(unconverged_solves_) + (unconverged_solves_ == 1 ? " solve" : " solves") + " did not converge");
   // a run that loses most of its energy may gain some in between
   const double limit = tolerance.energy * scale_;
-  if (rise_.energy > limit && rise_.energy >= loss_.energy)
-    warnings.push_back(energy_warning(rise_, gain_, "gain"));
+  const Extreme& gain = hidden_gain_.energy > rise_.energy ? hidden_gain_ : rise_;
+  if (gain.energy > limit && gain.energy >= loss_.energy)
+    warnings.push_back(energy_warning(gain, gain_, "gain"));
   else if (loss_.energy > limit)
     warnings.push_back(energy_warning(loss_, -change_ - max_dissipated_, "loss"));
   if (!(estimated_error_ <= tolerance.position))

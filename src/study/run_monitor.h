@@ -79,8 +79,9 @@ class RunMonitor {
   Reference start_, lowest_;
   DissipationBound dissipation_;
   double max_dissipated_ = 0.0;       // [J], by drag, dashpots, contact and forces so far, a bound
-  double contact_work_ = 0.0;         // [J], of colliders at rest
+  double dissipated_ = 0.0;           // [J], of it, as far as it is measured; negative
   Extreme rise_, loss_;               // above an earlier value; since the start, beyond what the scene may have dissipated until then
+  Extreme hidden_gain_;               // since the start, beyond what contact, drag and dashpots are known to have dissipated
   double change_ = 0.0, gain_ = 0.0;  // [J], since the start: as energy_change, and the gain that is left
   Motion motion_;                     // scratch
   double scale_;                      // [J]
