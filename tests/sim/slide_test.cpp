@@ -280,6 +280,21 @@ TEST_P(Slide, OffATableWithARadiusFallsAroundTheEdge) {
   EXPECT_LT(sim.state.position[0].y, -1.0);
 }
 
+// where flights and impacts alternate on the edge
+TEST_P(Slide, OffATableWithARadiusConverges) {
+  const auto end = [](const Integrator& by, int steps) {
+    TestSim sim;
+    sim.add({0.06, 0.04, 0.0}, 1.0, {0.3, 0.0, 0.0});
+    sim.system.point(0).radius = 0.04;
+    sim.system.colliders = {{.shape = Box{.min = {-1.0, -0.2, -1.0}, .max = {0.1, 0.0, 1.0}}}};
+    sim.run(by, 0.4, steps);
+    return sim.state.position[0];
+  };
+  const Vec3 reference = end(*find_integrator("velocity_verlet"), 100'000);
+  EXPECT_LT(glm::distance(end(method(), 4000), reference), 2e-4);
+  EXPECT_LT(glm::distance(end(method(), 32'000), reference), 4e-5);
+}
+
 // a lifted point leaves as if there were no floor; the first step of explicit Euler differs from the parabola by h^2 a / 2
 TEST_P(Rest, EndsWithoutABounceWhenLifted) {
   const auto lifted = [&](bool on_floor) {

@@ -46,7 +46,8 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
         v = surface_velocity_of(*carrier, is_curved ? gap_to(*carrier).normal : segment.support.normal);
         velocity_correction_ = carrier->velocity_correction;
       }
-      project_onto_supports(supports);
+      // past an edge, as in a flight
+      if (!project_onto_supports(supports) && supports.any_loaded()) velocity_correction_ = velocity_correction;
     }
   }
 
@@ -225,16 +226,19 @@ void PointContactSolver::follow_surface(const Segment& segment, const Vec3& star
 }
 
 // Removes the motion out of the supports that round-off, or a curved surface, leaves. A support whose edge the point has
-// passed, so that another surface is nearest, is ignored.
-void PointContactSolver::project_onto_supports(const Supports& supports) {
+// passed, so that another surface is nearest, is ignored. Returns whether the point still touches any that is loaded.
+bool PointContactSolver::project_onto_supports(const Supports& supports) {
+  bool touches = false;
   for (const Support& s : supports.all()) {
     if (s.normal_acceleration == 0.0) continue;
     const Gap gap = gap_to(*s.obstacle);
+    touches = touches || gap.distance <= contact_tolerance(x);
     if (std::abs(gap.distance) > contact_tolerance(x) || glm::dot(gap.normal, s.normal) < 0.9) continue;
     x -= gap.distance * gap.normal;
     v -= glm::dot(v - velocity_of(*s.obstacle), gap.normal) * gap.normal;
     velocity_correction_ -= glm::dot(velocity_correction_ - s.obstacle->velocity_correction, gap.normal) * gap.normal;
   }
+  return touches;
 }
 
 // Restitution along the normal and the Coulomb impulse in the tangential direction, both for the velocity relative to the surface.
@@ -256,7 +260,12 @@ void PointContactSolver::bounce(const Obstacle& obstacle, const Vec3& a, double 
       -glm::dot(a - obstacle.acceleration, gap.normal) - gap.curvature * glm::dot(relative_velocity, relative_velocity);
   if (normal_acceleration > 0.0 && 2.0 * rebound <= remaining * normal_acceleration * (1.0 - collider.restitution)) rebound = 0.0;
   v = surface + tangential_velocity + rebound * gap.normal;
-  if (rebound == 0.0) velocity_correction_ = obstacle.velocity_correction;
+  if (rebound > 0.0) return;
+  // as at the start of a step
+  if (collider.friction > 0.0 || tangential_velocity == Vec3(0.0))
+    velocity_correction_ = obstacle.velocity_correction;
+  else
+    velocity_correction_ -= glm::dot(velocity_correction_ - obstacle.velocity_correction, gap.normal) * gap.normal;
 }
 
 }  // namespace hooke

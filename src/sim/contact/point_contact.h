@@ -48,7 +48,7 @@ class PointContactSolver {
   Segment plan_segment(Supports& supports, const Vec3& a, double remaining, double friction_lag) const;
   const Obstacle* advance_segment(Segment& segment, const Supports& supports);
   void follow_surface(const Segment& segment, const Vec3& start, const Vec3& a);
-  void project_onto_supports(const Supports& supports);
+  bool project_onto_supports(const Supports& supports);
   void bounce(const Obstacle& obstacle, const Vec3& a, double remaining);
 
   Gap gap_to(const Obstacle& obstacle) const { return hooke::gap_to(*obstacle.collider, radius_, x - obstacle.offset_at(time_)); }

@@ -195,6 +195,7 @@ HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Ste
   // round-off
   const LaneGap left = lane_gap(shape, step.radius, x);
   const LaneMask is_near = hn::And(hn::Le(hn::Abs(left.distance), tolerance_at(x)), hn::Ge(dot_of(left.normal, gap.normal), same(0.9)));
+  segment.is_solved = hn::And(segment.is_solved, hn::Or(is_at_start, hn::Le(left.distance, tolerance_at(x))));
   x = choose(is_near, difference(x, times(left.distance, left.normal)), x);
   v = choose(is_near, difference(v, times(dot_of(v, left.normal), left.normal)), v);
   const LaneVec3 turned = difference(velocity_correction, times(dot_of(velocity_correction, left.normal), left.normal));
