@@ -153,6 +153,17 @@ TestSim pair_that_leaves_a_floor() {
   return sim;
 }
 
+// The same on a nailed ball.
+TestSim pair_that_leaves_a_nailed_ball() {
+  TestSim sim = pair_that_leaves_a_ball();
+  sim.system.colliders.clear();
+  sim.nail(Vec3(0.0));
+  sim.system.point(0).radius = sim.system.point(1).radius = 0.05;
+  sim.system.point(2).radius = 0.43;
+  sim.system.contact = {.points = true, .friction = 0.0};
+  return sim;
+}
+
 // The order through an impact without restitution and the motion on the surface after it. The place of the impact within a step varies with
 // the number of steps, and the error with it: a fit over many numbers of steps.
 double order_after_impact(const Integrator& method, TestSim (*make)()) {
@@ -186,6 +197,10 @@ TEST_P(Row, MeetsItsOrderUnderFrictionOnASphere) {
 TEST_P(Row, MeetsItsOrderWhereItLeavesABall) {
   EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_ball), method().order_contact, 0.2);
   EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_rough_ball), method().order_friction, 0.2);
+}
+
+TEST_P(Row, MeetsItsOrderSlidingOnABall) {
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_nailed_ball), method().order_contact, 0.2);
 }
 
 TEST_P(Row, MeetsItsOrderWhereItLeavesAFloor) {

@@ -54,6 +54,7 @@ struct Touch {
   // of `settle`
   Vec3 normal{0.0};             // from the second to the first
   double gap = 0.0;             // [m]
+  double curvature = 0.0;       // [1/m], of the path of the first about the second
   double min_velocity = 0.0;    // [m/s], that the first must reach along the normal, relative to the second
   Vec3 surface{0.0};            // [m/s], of the obstacle
   double normal_impulse = 0.0;  // [N s]

@@ -114,6 +114,7 @@ void TouchSimulation::find_resting() {
     if (velocity < -std::max(quiet_speed(touch), resting_speed * change)) continue;
     touch.normal = gap.normal;
     touch.gap = gap.distance;
+    touch.curvature = gap.curvature;
     touch.is_at_rest = true;
     active_.push_back(t);
   }
@@ -183,11 +184,13 @@ void TouchSimulation::rest() {
     paths[p].velocity_correction = velocity_[p];
   }
 
-  // gap + h (v + v') / 2 >= 0
+  // gap + h (v + v') / 2 >= 0 along the normal in the middle of the path, across which a slide on a ball leads: the force does no work
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
     Vec3 v = paths[touch.first].v - paths[touch.first].velocity_correction;
     v -= touch.second != no_path ? paths[touch.second].v - paths[touch.second].velocity_correction : touch.obstacle->velocity_at(0.0);
+    touch.normal =
+        glm::normalize(touch.normal + 0.5 * h_ * touch.curvature * tangential(touch.normal, v + 0.5 * h_ * relative_path(touch, 0.0).a));
     reset(k, std::min(0.0, -2.0 * std::max(0.0, touch.gap) / h_ - glm::dot(touch.normal, v)));
   }
   recall_loads();
