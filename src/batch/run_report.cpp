@@ -167,7 +167,11 @@ std::vector<Quantity> wanted_quantities(const std::optional<std::string>& list, 
   std::vector<Quantity> quantities;
   if (list) {
     const std::string unknown = parse_quantities(*list, system.point_count(), system.spring_count(), quantities);
-    if (!unknown.empty()) throw OptionError("quantities", printable(unknown, 80), must_be_one_of(quantity_names(), unknown));
+    if (!unknown.empty()) {
+      const std::string in_range = names_in_range(unknown, system.point_count(), system.spring_count());
+      throw OptionError("quantities", printable(unknown, 80),
+                        in_range.empty() ? must_be_one_of(quantity_names(), unknown) : "must be " + in_range);
+    }
     return quantities;
   }
   parse_quantities("time,kinetic,elastic,gravitational,total", system.point_count(), system.spring_count(), quantities);

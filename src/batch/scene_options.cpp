@@ -77,6 +77,8 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
   for (const auto& warning :
        {step_warning(scene.system, scene.state, scene.settings), oscillation_warning(scene.system, scene.settings), limit_warning()})
     if (warning) loaded.warnings.push_back(*warning);
+  if (options.substeps && is_automatic(scene.settings))
+    loaded.warnings.push_back("substeps: " + std::to_string(scene.settings.substeps) + ": not used: auto chooses the substeps");
 }
 
 LoadedScene load_with_options(const SceneOptions& options) {

@@ -183,6 +183,16 @@ std::optional<Quantity> find_quantity(std::string_view name, Index points, Index
   return is_there ? std::optional(Quantity{&*row, at}) : std::nullopt;
 }
 
+std::string names_in_range(std::string_view name, Index points, Index springs) {
+  const std::string_view letters = name.substr(0, name.find_first_of("0123456789"));
+  const bool has_number = letters.size() < name.size() && name.find_first_not_of("0123456789", letters.size()) == std::string_view::npos;
+  const auto row = std::ranges::find(rows, letters, &QuantityRow::name);
+  if (row == rows.end() || row->of == Of::Scene || !has_number) return {};
+  const Index count = row->of == Of::Point ? points : springs;
+  if (count == 0) return std::string("another quantity: the scene has no ") + (row->of == Of::Point ? "points" : "springs");
+  return std::string(letters) + "0" + (count == 1 ? "" : " to " + std::string(letters) + std::to_string(count - 1));
+}
+
 std::string parse_quantities(std::string_view list, Index points, Index springs, std::vector<Quantity>& quantities) {
   for (bool is_last = false; !is_last;) {
     const std::size_t comma = list.find(',');

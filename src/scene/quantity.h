@@ -47,6 +47,10 @@ struct Quantity {
 // The quantity of this name in a scene with these numbers of points and springs; none if it does not exist.
 std::optional<Quantity> find_quantity(std::string_view name, Index points, Index springs);
 
+// The names that there are, "x0 to x7", if `name` is that of a quantity of points or springs with the number of one that does not exist;
+// for a scene without any, that it has none. Otherwise empty.
+std::string names_in_range(std::string_view name, Index points, Index springs);
+
 // Appends the quantities of a comma-separated list, "time, y5"; returns the first unknown name, or an empty string.
 std::string parse_quantities(std::string_view list, Index points, Index springs, std::vector<Quantity>& quantities);
 

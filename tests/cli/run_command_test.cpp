@@ -133,7 +133,20 @@ TEST(Headless, CsvContainsTheRequestedQuantities) {
   EXPECT_EQ(contents(file), "time [s],length0 [m],y1 [m]\n0,0.5,0.5\n");
   const Outcome refused = headless({"run", "two_masses", "--seconds", "0", "--csv", file, "--quantities", "time,y2"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("--quantities y2: must be one of time, kinetic"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("--quantities y2: must be y0 to y1\n"), std::string::npos) << refused.err;
+  const Outcome unknown = headless({"run", "two_masses", "--seconds", "0", "--csv", file, "--quantities", "time,speed"});
+  EXPECT_NE(unknown.err.find("--quantities speed: must be one of time, kinetic"), std::string::npos) << unknown.err;
+  const Outcome spring = headless({"run", "two_masses", "--seconds", "0", "--csv", file, "--quantities", "strain7"});
+  EXPECT_NE(spring.err.find("--quantities strain7: must be strain0\n"), std::string::npos) << spring.err;
+}
+
+TEST(Headless, SubstepsAreSaidToBeUnusedByAuto) {
+  const Outcome both = headless({"run", "two_masses", "--seconds", "0.1", "--tolerance", "1e-3", "--substeps", "7"});
+  EXPECT_EQ(both.code, 0);
+  EXPECT_NE(both.err.find("warning: substeps: 7: not used: auto chooses the substeps\n"), std::string::npos) << both.err;
+  const Outcome named =
+      headless({"run", "two_masses", "--seconds", "0.1", "--integrator", "dop853", "--tolerance", "1e-3", "--substeps", "7"});
+  EXPECT_EQ(named.err.find("not used"), std::string::npos) << named.err;
 }
 
 TEST(Headless, WithoutAFileASummaryGoesToStdoutUnlessQuiet) {

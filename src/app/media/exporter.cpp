@@ -14,7 +14,10 @@ std::string without_extension(const std::filesystem::path& file) { return (file.
 // Parses a comma-separated list. Returns an error text if a name is unknown.
 std::string read_quantities(const std::string& list, const System& system, std::vector<Quantity>& quantities) {
   const auto unknown = parse_quantities(list, system.point_count(), system.spring_count(), quantities);
-  return unknown.empty() ? "" : "\"" + unknown + "\" is not a quantity of this scene; it must be one of " + quantity_names() + ".";
+  if (unknown.empty()) return "";
+  const std::string in_range = names_in_range(unknown, system.point_count(), system.spring_count());
+  return "\"" + unknown + "\" is not a quantity of this scene; it must be " + (in_range.empty() ? "one of " + quantity_names() : in_range) +
+         ".";
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ std::function<int()> declare_check(CLI::App& app) {
   app.add_option("--seconds", options->seconds, "Simulated time of --result; default: 2")
       ->type_name("S")
       ->check(within({.min = 1e-6, .max = 1e4}));
-  app.add_flag("--quick", options->quick, "Only the fast cases, without auto: about ten seconds in total");
+  app.add_flag("--quick", options->quick, "Only the fast cases, without auto: about a minute of CPU time in total");
   app.add_flag("--strict", options->strict, "Count every failure, even a reported one that is allowed");
   app.add_option("--cases", options->cases, "Only these cases, by number")->type_name("1,20")->delimiter(',');
   app.add_option("--methods", options->methods, "Only these methods, by id")->type_name("a,b")->delimiter(',');
