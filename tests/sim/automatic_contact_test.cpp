@@ -1,9 +1,11 @@
 // The method `auto` where things strike each other: it keeps the tolerance or reports that it does not, and its cost is bounded.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "support/accuracy_scenes.h"
@@ -108,6 +110,28 @@ TEST_P(AutomaticContact, KeepsTheToleranceOrReportsAtABoundedCost) {
     EXPECT_LE(run.silent, 0.05 * run.frames) << tolerance;
     EXPECT_LT(run.max_trial, max_trial_ms) << tolerance;
   }
+}
+
+// What slides off a block is in free flight from within a frame on. On the block, a method of first order is exact.
+TEST(AutomaticEdge, KeepsTheToleranceOfAPointThatSlidesOff) {
+  constexpr double g = 9.81, length = 0.7, radius = 0.02;
+  for (const double speed : {0.9, 1.4, 1.5, 1.9, 2.7})
+    for (const double friction : {0.0, 0.05})
+      for (const double tolerance : {1e-3, 1e-4, 1e-6}) {
+        TestSim sim;
+        sim.system.colliders = {
+            {.shape = Box{.min = {-5.0, -1.0, -1.0}, .max = {0.0, 0.0, 1.0}}, .restitution = 0.5, .friction = friction}};
+        sim.add({-length, radius, 0.0}, 1.0, {speed, 0.0, 0.0});
+        sim.system.point(0).radius = radius;
+        const double left = std::sqrt(speed * speed - 2.0 * friction * g * length);
+        const double slide = friction > 0.0 ? (speed - left) / (friction * g) : length / speed;
+        Plan plan = make_plan(sim.system);
+        Frame frame;
+        constexpr double seconds = 1.5;
+        for (int i = 0; i < 90; ++i) sim.state = next_frame(plan, frame, sim.system, automatic(tolerance), sim.state);
+        const Vec3 end(left * (seconds - slide), radius - 0.5 * g * (seconds - slide) * (seconds - slide), 0.0);
+        EXPECT_LT(glm::distance(sim.state.position[0], end), tolerance * seconds) << speed << ' ' << friction << ' ' << tolerance;
+      }
 }
 
 }  // namespace

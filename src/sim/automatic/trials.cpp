@@ -8,6 +8,7 @@
 #include "sim/automatic/breaking.h"
 #include "sim/automatic/leapfrog.h"
 #include "sim/automatic/resonance.h"
+#include "sim/contact/gap.h"
 #include "sim/divergence.h"
 #include "sim/frame_error.h"
 #include "sim/integrators/rows.h"
@@ -164,16 +165,31 @@ Trials::End Trials::compute_frame(const Settings& settings, double max_cost, dou
   return End::Finished;
 }
 
+// Whether the point is on a collider at the start of the frame, or as close [m] as `max_error`.
+bool Trials::starts_on_collider(std::size_t point, double max_error) const {
+  for (std::size_t c = 0; c < plan_.colliders.size(); ++c) {
+    const Vec3 x = start_->position[point] - plan_.offset_of(c, start_->time);
+    if (gap_to(plan_.colliders[c], plan_.radius[point], x).distance <= max_error) return true;
+  }
+  return false;
+}
+
 bool Trials::has_impact(double max_error) const {
-  if (last_.method == nullptr || !last_.frame.has_touched()) return false;
+  if (last_.method == nullptr) return false;
+  // by a method of first order, the error is half of this under any change of the velocity, as of what has just left the ground
+  const bool is_of_first_order = last_.method->order == 1;
+  if (!is_of_first_order && !last_.frame.has_touched()) return false;
   const Vec3 fall = last_.frame.duration() * plan_.gravity;
-  double sum = 0.0;  // of the squared changes of velocity that are neither free fall nor rest
+  double sum = 0.0;  // of the squared changes of velocity that are neither rest nor free fall, unless it begins in this frame
   for (std::size_t i = 0; i < last_velocities_.size(); ++i) {
     const Vec3 change = last_velocities_[i] - start_->velocity[i];
-    sum += std::min(glm::dot(change, change), glm::dot(change - fall, change - fall));
+    const double square = glm::dot(change, change), from_fall = glm::dot(change - fall, change - fall);
+    const bool falls = from_fall < square && !is_of_first_order && !starts_on_collider(i, max_error);
+    sum += falls ? from_fall : square;
   }
   const double rms = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, last_velocities_.size())));
-  return rms * last_.frame.duration() / last_.substeps > max_error;
+  const double part = is_of_first_order && !last_.frame.has_touched() ? 0.5 : 1.0;
+  return part * rms * last_.frame.duration() / last_.substeps > max_error;
 }
 
 int Trials::resolving_substeps(double frame_rate) {

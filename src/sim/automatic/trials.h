@@ -58,7 +58,7 @@ class Trials {
   // Computes the frame, unless the last call did. Abandoned if it costs more than `max_cost` [ms].
   End compute_frame(const Settings& settings, double max_cost, double* cost);
   // Whether something touched in the frame that was computed last, and changed its velocity so much that an impact at another time within
-  // a substep would be an error of more than this [m].
+  // a substep would be an error of more than this [m]; or whether a method of first order has such an error without a touch.
   bool has_impact(double max_error) const;
   // Whether springs broke in the frame that was computed last.
   bool has_broken() const { return last_.method != nullptr && !last_.frame.broken().empty(); }
@@ -95,6 +95,7 @@ class Trials {
   End compute(const Settings& settings, const CostModel& model, double max_cost, double* cost);
   // The error [m] of the frame that was computed last by the embedded estimate of its method, if that is reliable.
   std::optional<double> embedded_error(const Integrator& method) const;
+  bool starts_on_collider(std::size_t point, double max_error) const;
   // [m], by which the positions of a frame of so many substeps may be off because they are rounded.
   double round_off(int substeps) const;
 

@@ -158,6 +158,8 @@ HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Ste
   if constexpr (is_curved) {
     const Lane path = hn::Add(speed, hn::Mul(remaining, length_of(acceleration)));
     segment.is_solved = hn::And(segment.is_solved, hn::Le(hn::Mul(hn::Mul(gap.curvature, segment.time), path), same(0.125)));
+    const Lane falls = hn::Mul(gap.curvature, hn::Add(dot_of(start_v, a), hn::Mul(same(2.0), dot_of(start_v, acceleration))));
+    segment.is_solved = hn::And(segment.is_solved, hn::Le(hn::Mul(falls, segment.time), load.normal_acceleration));
   }
 
   const Lane half_time = hn::Mul(same(0.5), segment.time);

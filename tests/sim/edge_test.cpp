@@ -1,0 +1,113 @@
+// Points that slide over the edges of blocks and off balls: where within a substep they leave.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "support/convergence.h"
+#include "support/test_sim.h"
+
+namespace hooke {
+namespace {
+
+constexpr double g = 9.81, frame = 1.0 / 60.0;
+
+// A block below y = 0 up to x = 0, and a point on it.
+TestSim on_block(double x, double radius, double speed, double friction = 0.0, double restitution = 0.5) {
+  TestSim sim;
+  sim.system.colliders = {
+      {.shape = Box{.min = {-5.0, -1.0, -1.0}, .max = {0.0, 0.0, 1.0}}, .restitution = restitution, .friction = friction}};
+  sim.add({x, radius, 0.3}, 0.7, {speed, 0.0, 0.0});
+  sim.system.point(0).radius = radius;
+  return sim;
+}
+
+void run_frames(TestSim& sim, const Integrator& method, int frames, int substeps) {
+  for (int i = 0; i < frames; ++i) sim.run(method, frame, substeps);
+}
+
+class Edge : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Edge, testing::ValuesIn(every_method()), method_name);
+
+// A slide up to the edge, then a free fall, from whatever part of a substep.
+TEST_P(Edge, APointFallsFromWhereTheFaceEnds) {
+  for (const double radius : {0.0, 0.02})
+    for (const double speed : {1.0, 1.5, 1.6, 2.3})
+      for (const int substeps : {1, 7}) {
+        TestSim sim = on_block(-0.7, radius, speed);
+        constexpr int frames = 60;
+        run_frames(sim, method(), frames, substeps);
+        const double fall = frames * frame - 0.7 / speed;
+        // a method of first order starts its fall up to a substep late or early
+        const double h = frame / substeps, tolerance = method().order == 1 ? g * fall * h : 1e-10;
+        EXPECT_NEAR(sim.state.position[0].x, frames * frame * speed - 0.7, 1e-10) << radius << ' ' << speed << ' ' << substeps;
+        EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, tolerance) << radius << ' ' << speed << ' ' << substeps;
+        EXPECT_NEAR(sim.state.velocity[0].y, -g * fall, method().order == 1 ? g * h : 1e-10) << radius << ' ' << speed << ' ' << substeps;
+      }
+}
+
+// The same over any side of a block.
+TEST(Edges, AllEndWhereTheyAre) {
+  for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(0.6, 0, 0.8)})
+    for (const double radius : {0.0, 0.02}) {
+      TestSim sim;
+      sim.system.colliders = {{.shape = Box{.min = {-0.5, -1.0, -0.5}, .max = {0.5, 0.0, 0.5}}, .restitution = 0.0, .friction = 0.0}};
+      sim.add({0.0, radius, 0.0}, 0.7, 1.7 * direction);
+      sim.system.point(0).radius = radius;
+      run_frames(sim, *find_integrator("velocity_verlet"), 30, 1);
+      const double slide = 0.5 / std::max(std::abs(direction.x), std::abs(direction.z)) / 1.7, fall = 0.5 - slide;
+      EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, 1e-10) << radius;
+    }
+}
+
+// Friction acts up to the edge: v^2 = v0^2 - 2 mu g s.
+TEST(Edges, FrictionEndsWithTheFace) {
+  for (const double radius : {0.0, 0.02}) {
+    constexpr double mu = 0.2, speed = 2.0, length = 0.7;
+    TestSim sim = on_block(-length, radius, speed, mu);
+    run_frames(sim, *find_integrator("velocity_verlet"), 60, 1);
+    const double left = std::sqrt(speed * speed - 2.0 * mu * g * length), fall = 1.0 - (speed - left) / (mu * g);
+    EXPECT_NEAR(sim.state.velocity[0].x, left, 1e-10);
+    EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, 1e-10);
+  }
+}
+
+// A slow ball without friction follows the round path of its center about the edge, and leaves it where cos a = (v0^2 + 2 g r) / (3 g r),
+// with v^2 = g r cos a: of second order.
+TEST(Edges, ASlowBallFollowsTheRoundEdgeAndLeavesIt) {
+  constexpr double radius = 0.3;
+  for (const double speed : {0.2, 0.8}) {
+    const double cosine = (speed * speed + 2.0 * g * radius) / (3.0 * g * radius);
+    const double left = std::sqrt(g * radius * cosine) * cosine;
+    const auto error = [&](int substeps) {
+      TestSim sim = on_block(-0.1, radius, speed);
+      run_frames(sim, *find_integrator("velocity_verlet"), 75, substeps);
+      EXPECT_LT(sim.state.position[0].y, -0.2);
+      return std::abs(sim.state.velocity[0].x - left);
+    };
+    EXPECT_LT(error(1), 1e-3) << speed;
+    EXPECT_LT(error(16), 1e-5) << speed;
+  }
+}
+
+// What a force pulls around the edge stays on it, and goes on along the other face, without a loss or a rebound.
+TEST(Edges, ABallIsPulledAroundWithoutLosingEnergy) {
+  for (const double restitution : {0.0, 1.0})
+    for (const int substeps : {1, 4, 20}) {
+      constexpr double radius = 0.05, a = 10.0;
+      TestSim sim = on_block(-0.1, radius, std::sqrt(2.45), 0.0, restitution);
+      sim.system.gravity = {-a, -a, 0.0};
+      const auto energy = [&] {  // per mass
+        const Vec3& x = sim.state.position[0];
+        return 0.5 * glm::dot(sim.state.velocity[0], sim.state.velocity[0]) + a * (x.x + x.y);
+      };
+      const double before = energy();
+      run_frames(sim, *find_integrator("velocity_verlet"), 30, substeps);
+      EXPECT_LT(sim.state.position[0].y, -0.1) << restitution << ' ' << substeps;
+      EXPECT_NEAR(energy(), before, 4e-3 / substeps * std::abs(before)) << restitution << ' ' << substeps;
+      EXPECT_NEAR(sim.state.position[0].x, radius, 1e-9) << restitution << ' ' << substeps;
+    }
+}
+
+}  // namespace
+}  // namespace hooke
