@@ -1,5 +1,6 @@
 #include "lab/accuracy/growth.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hooke {
@@ -13,6 +14,35 @@ double typical(const std::vector<double>& values, std::size_t begin, std::size_t
   double sum = 0.0;
   for (std::size_t i = begin; i < end; ++i) sum += values[i] * values[i];
   return std::sqrt(sum / static_cast<double>(end - begin));
+}
+
+// In time t from the start the distance in a regular motion oscillates, decays or grows in proportion to t: from the second quarter of
+// the measurement to the last one by a factor of up to 7 / 3. Growth well beyond that is exponential.
+constexpr double max_regular_growth = 5.0;
+double growth_of(const std::vector<double>& distances, std::size_t n) {
+  return typical(distances, 3 * n / 4, n) / typical(distances, n / 4, n / 2);
+}
+
+// Whether the distance grew regularly before and after one event, such as when a point slides off a block: both runs meet that at other
+// times, so that their velocities differ from then on. Only where such events repeat does the growth become exponential.
+bool has_single_event(const std::vector<double>& distances) {
+  constexpr std::size_t half = 2;  // frames, of those in which the event is
+  const std::size_t n = distances.size();
+  const auto slope = [&](std::size_t i) { return distances[i + 1] - distances[i]; };
+  std::size_t event = 0;
+  double largest = 0.0;
+  for (std::size_t i = half; i + half + 1 < n; ++i)
+    if (const double change = slope(i + half) - slope(i - half); change > largest) {
+      largest = change;
+      event = i;
+    }
+  if (event < min_frames || growth_of(distances, event) > max_regular_growth) return false;
+  constexpr double margin = 1.5;
+  const std::size_t after = event + half;
+  const double rise = std::max(0.0, slope(after));
+  for (std::size_t i = after; i < n; ++i)
+    if (!(distances[i] <= margin * (distances[after] + rise * static_cast<double>(i - after)))) return false;
+  return true;
 }
 
 }  // namespace
@@ -35,16 +65,13 @@ void GrowthMeasurement::add(double distance, double limit) {
   is_finished_ = is_large || next_evaluation_ > last_evaluation;
 }
 
-// In time t from the start the distance in a regular motion oscillates, decays or grows in proportion to t: from the second quarter of
-// the measurement to the last one by a factor of up to 7 / 3. Growth well beyond that is exponential.
 void GrowthMeasurement::evaluate() {
   const std::size_t n = distances_.size();
-  const double seconds = frame_ * static_cast<double>(n - 1);
-  const double early = typical(distances_, n / 4, n / 2), late = typical(distances_, 3 * n / 4, n);
-  constexpr double max_regular_growth = 5.0;
-  const double growth = late / early;
+  const double seconds = frame_ * static_cast<double>(n - 1), late = typical(distances_, 3 * n / 4, n);
+  const double growth = growth_of(distances_, n);
+  const bool is_exponential = growth > max_regular_growth && !has_single_event(distances_);
   result_ = Growth{.amplification = std::pow(late / distances_.front(), 1.0 / (0.875 * seconds)),
-                   .rate = growth > max_regular_growth ? std::log(growth) / (0.5 * seconds) : 0.0};
+                   .rate = is_exponential ? std::log(growth) / (0.5 * seconds) : 0.0};
 }
 
 }  // namespace hooke
