@@ -8,10 +8,11 @@
 namespace hooke {
 namespace {
 
-// Consecutive decades of error with the same cheapest row; null if no row reaches them.
+// Consecutive decades of error with the same cheapest row; null if no row reaches them, or if the reference does not tell.
 struct CheapestRow {
   int first = 1, last = 1;
   const Row* row = nullptr;
+  bool is_measurable = true;
   std::string decades() const {
     std::string text = "1e-" + std::to_string(first);
     return last > first ? text + " .. 1e-" + std::to_string(last) : text;
@@ -21,24 +22,41 @@ struct CheapestRow {
 std::vector<CheapestRow> cheapest_rows(const ProblemRecord& record) {
   std::vector<CheapestRow> list;
   for (int decade = 1; decade <= 10; ++decade) {
-    const Row* row = cheapest(record, std::pow(10.0, -decade));
-    if (!list.empty() && list.back().row == row)
+    const double error = std::pow(10.0, -decade);
+    const Row* row = cheapest(record, error);
+    const bool measurable = is_measurable(record, error);
+    if (!list.empty() && list.back().row == row && list.back().is_measurable == measurable)
       list.back().last = decade;
     else
-      list.push_back({decade, decade, row});
+      list.push_back({decade, decade, row, measurable});
   }
   return list;
+}
+
+// Of decades without a row.
+std::string without_row(const CheapestRow& cheapest_row, const ProblemRecord& record) {
+  if (cheapest_row.is_measurable) return "not reached";
+  std::string text;
+  append_formatted(text, "not measurable: the reference is uncertain by %.0e", record.reference->uncertainty());
+  return text;
+}
+
+// What half the precision changes.
+std::string gap_text(double gap) {
+  if (gap == 0.0) return "nothing";
+  std::string text;
+  append_formatted(text, "it by %.0e", gap);
+  return text;
 }
 
 std::string describe(const ReferenceRecord& reference) {
   std::string text;
   if (reference.measure == Measure::Observables)
     text += "Errors are those of the center of mass, the largest strain and the energy, because the trajectory is not reproducible. ";
-  append_formatted(text, "Reference: %s at %s; half the precision changes it by %.0e%s. ", reference.method.c_str(),
-                   reference.setting.c_str(), reference.own_gap,
-                   reference.own_gap == 0.0 ? " (stability limits its steps, not the tolerance)" : "");
-  append_formatted(text, "%s at %s differs by %.0e; half its precision changes it by %.0e. ", reference.other_method.c_str(),
-                   reference.other_setting.c_str(), reference.other_gap, reference.other_own_gap);
+  append_formatted(text, "Reference: %s at %s; half the precision changes %s. ", reference.method.c_str(), reference.setting.c_str(),
+                   gap_text(reference.own_gap).c_str());
+  append_formatted(text, "%s at %s differs by %.0e; half its precision changes %s. ", reference.other_method.c_str(),
+                   reference.other_setting.c_str(), reference.other_gap, gap_text(reference.other_own_gap).c_str());
   append_formatted(text, "A perturbation of 1e-10 is amplified %.2g times.", reference.amplification);
   return text;
 }
@@ -66,7 +84,7 @@ std::string report(const ProblemRecord& record) {
   text += "  " + describe(*record.reference) + "\n";
   for (const CheapestRow& cheapest_row : cheapest_rows(record))
     if (cheapest_row.row == nullptr)
-      append_formatted(text, "  %-14s  not reached\n", cheapest_row.decades().c_str());
+      append_formatted(text, "  %-14s  %s\n", cheapest_row.decades().c_str(), without_row(cheapest_row, record).c_str());
     else
       append_formatted(text, "  %-14s  %-18s %10.3g ms/s   %s\n", cheapest_row.decades().c_str(), cheapest_row.row->method.c_str(),
                        *cheapest_row.row->cpu_ms_per_s, cheapest_row.row->setting.c_str());
@@ -92,7 +110,7 @@ std::string markdown_report(const Results& results) {
             "|---|---|---|---|---|---|\n";
     for (const CheapestRow& cheapest_row : cheapest_rows(record))
       if (cheapest_row.row == nullptr)
-        append_formatted(text, "| %s | not reached | | | | |\n", cheapest_row.decades().c_str());
+        append_formatted(text, "| %s | %s | | | | |\n", cheapest_row.decades().c_str(), without_row(cheapest_row, record).c_str());
       else
         append_formatted(text, "| %s | `%s` | %.3g | %s | %.1e | %s |\n", cheapest_row.decades().c_str(), cheapest_row.row->method.c_str(),
                          *cheapest_row.row->cpu_ms_per_s, cheapest_row.row->setting.c_str(), *cheapest_row.row->relative_error,

@@ -103,10 +103,12 @@ void add_comparison(std::string& text, const Results& results, int decade) {
   }
   text += "\n" + line + "\n";
   for (const ProblemRecord& record : results.problems) {
-    const Row* best = cheapest(record, std::pow(10.0, -decade));
-    text += "| " + record.id + " | " + (best ? rounded(*best->cpu_ms_per_s) : "not reached") + " |";
+    const double error = std::pow(10.0, -decade);
+    const Row* best = cheapest(record, error);
+    const char* none = is_measurable(record, error) ? "not reached" : "not measurable";
+    text += "| " + record.id + " | " + (best ? rounded(*best->cpu_ms_per_s) : none) + " |";
     for (const Integrator& method : integrators()) {
-      const Row* row = best ? cheapest_of(record, method.id, std::pow(10.0, -decade)) : nullptr;
+      const Row* row = best ? cheapest_of(record, method.id, error) : nullptr;
       text += row == nullptr ? " - |" : row == best ? " **1** |" : " " + rounded(*row->cpu_ms_per_s / *best->cpu_ms_per_s, "%.2g") + " |";
     }
     text += "\n";

@@ -192,6 +192,10 @@ std::optional<double> error_with_uncertainty(const ProblemRecord& record, const 
   return std::max(*row.relative_error, record.reference ? record.reference->uncertainty() : 0.0);
 }
 
+bool is_measurable(const ProblemRecord& record, double relative_error) {
+  return !record.reference || record.reference->uncertainty() <= relative_error;
+}
+
 const Row* cheapest(const ProblemRecord& record, double relative_error) {
   const Row* best = nullptr;
   for (const Row& row : record.rows) {

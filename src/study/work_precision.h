@@ -104,6 +104,9 @@ class PrecisionSweep {
 // The error, at least the uncertainty of the reference [1]; none if the run did not finish.
 std::optional<double> error_with_uncertainty(const ProblemRecord& record, const Row& row);
 
+// Whether the reference tells whether an error is as small as this.
+bool is_measurable(const ProblemRecord& record, double relative_error);
+
 // The cheapest row whose error is at most this, or null.
 const Row* cheapest(const ProblemRecord& record, double relative_error);
 

@@ -306,6 +306,17 @@ TEST(Bench, RefusesInvalidRequests) {
   EXPECT_EQ(contents(scratch.folder / "bench.json"), "{}");
 }
 
+// What is below the uncertainty of the reference was not missed by the methods, and a reference that half the precision leaves as it is may
+// be wrong for any reason.
+TEST(Bench, SaysWhatTheReferenceCannotTell) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run(scratch.folder, {"--report", DOCS_FOLDER "/accuracy.json"}), 0);
+  const std::string report = contents(scratch.folder / "report");
+  EXPECT_NE(report.find("half the precision changes nothing. "), std::string::npos) << report;
+  EXPECT_NE(report.find("1e-8 .. 1e-10   not measurable: the reference is uncertain by 2e-08\n"), std::string::npos) << report;
+  EXPECT_EQ(report.find("stability"), std::string::npos) << report;
+}
+
 // The page on methods equals the table and the results word for word; scripts/accuracy --report regenerates it.
 TEST(Bench, TheDocumentedMethodsAreThoseOfTheTable) {
   const ScratchFolder scratch;

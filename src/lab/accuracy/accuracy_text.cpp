@@ -101,7 +101,7 @@ std::string cost_text(const Accuracy& accuracy) {
   if (!accuracy.is_on || accuracy.half_error_substeps == 0) return {};
   std::array<char, 16> factor{};
   std::snprintf(factor.data(), factor.size(), "%.1f", accuracy.half_error_cost);
-  const std::string time = std::string(factor.data()) + "x the time";
+  const std::string time = std::string(factor.data()) + "x the time, which is not tested";
   if (accuracy.half_error_tolerance > 0.0) {
     return "half the error: tolerance " + quantity_text(accuracy.half_error_tolerance, "m", 1) + ", " + time;
   }
