@@ -1,6 +1,7 @@
 // The accuracy that the laboratory measures while it runs, compared with the true errors.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -304,7 +305,7 @@ TEST(AccuracyMeter, HalfTheErrorCostsAsMuchAsReported) {
 }
 
 // Balls that hit each other and obstacles: their impacts happen at other times with another step, and steps by the order of the method, 2,
-// do not halve the error. Sums of the errors of all measured frames.
+// do not halve the error. Sums of the errors of all measured frames but the worst: an impact that falls otherwise may outweigh all others.
 TEST(AccuracyMeter, WhereThingsTouchHalfTheErrorCostsWhatWasMeasured) {
   const Scene marbles = load_scene(find_scene("marbles")).scene;
   const auto error_with = [&](int substeps, int& half) {
@@ -312,15 +313,17 @@ TEST(AccuracyMeter, WhereThingsTouchHalfTheErrorCostsWhatWasMeasured) {
     scene.settings.integrator = find_integrator("velocity_verlet");
     scene.settings.substeps = substeps;
     Lab lab = measured_lab(scene, AccuracyMode::Frame);
-    double sum = 0.0, time = 0.0;
+    double sum = 0.0, largest = 0.0, time = 0.0;
     for (int frame = 0; frame < 240; ++frame) {
       EXPECT_TRUE(lab.step());
       const Accuracy accuracy = lab.accuracy();
       if (accuracy.half_error_substeps > 0) half = accuracy.half_error_substeps;
       EXPECT_EQ(accuracy.half_error_substeps == 0, !accuracy.half_error_reason.empty());
-      if (accuracy.frame.value && std::exchange(time, accuracy.frame_time) != accuracy.frame_time) sum += *accuracy.frame.value;
+      if (!accuracy.frame.value || std::exchange(time, accuracy.frame_time) == accuracy.frame_time) continue;
+      sum += *accuracy.frame.value;
+      largest = std::max(largest, *accuracy.frame.value);
     }
-    return sum;
+    return sum - largest;
   };
   int half = 0, quarter = 0, by_order = 29;
   const double error = error_with(20, half);
