@@ -144,7 +144,7 @@ class PointPass {
 
     // the parabola through both positions with the mean acceleration of the step: its velocity starts ahead of v0
     const Vec3 a = (v1 - v0) / h_, velocity_correction = without_rounding(plan_, (x1 - x0) / h_ - v0 - 0.5 * h_ * a, x0, h_);
-    PointContactSolver solver(obstacles_, radius, x0, v0, before_.friction_lag);
+    PointContactSolver solver(obstacles_, radius, x0, v0, before_.velocity_lag, before_.friction_lag);
     if (!solver.advance(a, velocity_correction, h_)) return RestingPoints::Free;
     if (solver.push_out != Vec3(0.0)) {
       if (pushed == nullptr) return RestingPoints::Open;

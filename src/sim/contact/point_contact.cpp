@@ -20,8 +20,8 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
     supports = find_supports(a, remaining);
     Segment segment = plan_segment(supports, a, remaining, segments == 0 ? friction_lag_ : 0.0);
     // What leaves its supports ends as in a flight. Otherwise its correction in the next step, along the acceleration, would lead back into
-    // them: an impact in each step. One against the acceleration (explicit_euler) does not.
-    if (!supports.any_loaded() && glm::dot(velocity_correction - velocity_correction_, a) > 0.0) velocity_correction_ = velocity_correction;
+    // them: an impact in each step.
+    if (velocity_lag_ > 0.0 && !supports.any_loaded()) velocity_correction_ = velocity_correction;
     const Vec3 start = x;
     if (segment.sticks) v = segment.support.surface;
     v += segment.velocity_correction;
@@ -47,7 +47,8 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
         velocity_correction_ = carrier->velocity_correction;
       }
       // past an edge, as in a flight
-      if (!project_onto_supports(supports) && supports.any_loaded()) velocity_correction_ = velocity_correction;
+      const bool touches = project_onto_supports(supports);
+      if (velocity_lag_ != 0.0 && !touches && supports.any_loaded()) velocity_correction_ = velocity_correction;
     }
   }
 
@@ -277,8 +278,8 @@ void PointContactSolver::bounce(const Obstacle& obstacle, const Vec3& a, double 
   if (normal_acceleration > 0.0 && 2.0 * rebound <= remaining * normal_acceleration * (1.0 - collider.restitution)) rebound = 0.0;
   v = surface + tangential_velocity + rebound * gap.normal;
   if (rebound > 0.0) return;
-  // as at the start of a step
-  if (collider.friction > 0.0 || tangential_velocity == Vec3(0.0))
+  // with a lag, as at the start of a step: on an edge, there may be an impact in each
+  if (velocity_lag_ == 0.0 || collider.friction > 0.0 || tangential_velocity == Vec3(0.0))
     velocity_correction_ = obstacle.velocity_correction;
   else
     velocity_correction_ -= glm::dot(velocity_correction_ - obstacle.velocity_correction, gap.normal) * gap.normal;

@@ -23,9 +23,10 @@ class PointContactSolver {
   // loss.
   double gained = 0.0;
 
-  // `friction_lag` [1]: 0, or the velocity lag of a method (integrator.h) whose path is kept under friction, too.
-  PointContactSolver(std::span<const Obstacle> obstacles, double radius, const Vec3& x0, const Vec3& v0, double friction_lag = 0.0)
-      : x(x0), v(v0), obstacles_(obstacles), radius_(radius), friction_lag_(friction_lag) {}
+  // `velocity_lag` [1]: of the method (integrator.h). `friction_lag` [1]: the same if its path is kept under friction, too; otherwise 0.
+  PointContactSolver(std::span<const Obstacle> obstacles, double radius, const Vec3& x0, const Vec3& v0, double velocity_lag = 0.0,
+                     double friction_lag = 0.0)
+      : x(x0), v(v0), obstacles_(obstacles), radius_(radius), velocity_lag_(velocity_lag), friction_lag_(friction_lag) {}
 
   // Advances by `duration` with the acceleration `a`. `velocity_correction` [m/s]: of the method's path, relative to v at its start.
   // Returns whether anything was touched.
@@ -64,7 +65,7 @@ class PointContactSolver {
   double radius_;
   double time_ = 0.0;              // [s], since the start of the step
   Vec3 velocity_correction_{0.0};  // [m/s], contained in v
-  double friction_lag_;
+  double velocity_lag_, friction_lag_;
   bool applies_correction_ = false;  // whether v and the velocities of obstacles contain their corrections
 };
 
