@@ -66,6 +66,8 @@ std::vector<Candidate> candidates_for(Trials& trials, const Plan& plan, const Se
     // explicit Euler grows, and what chooses its own steps has no number of them
     if (!method.for_production || method.stability == Stability::Adaptive) continue;
     if (&method == &leapfrog && !is_leapfrog_useful(plan)) continue;
+    // what leaves a collider has its velocity of half a substep before, with which a frame of another method would go on
+    if (method.velocity_lag != 0.0 && !plan.colliders.empty()) continue;
     if (stable_at > max_automatic_substeps) continue;
     const bool is_present = present != nullptr && &method == present->method;
     const int substeps = is_present ? std::max(present->substeps, stable_at) : stable_at;

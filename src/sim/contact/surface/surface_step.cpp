@@ -11,6 +11,9 @@ namespace {
 
 // The part of what features are closer than their thickness by which they separate in a substep, and the time for most of it [s].
 constexpr double max_separation = 0.2, separation_time = 0.02;
+// Forces that press features together by so many times the acceleration of gravity are not separated. With less, what lies in folds that
+// bending presses does not come to rest; with more, weights on springs stretch them.
+constexpr double max_pressing_gravities = 30.0;
 // [m/s], away from an obstacle on which a point rests, by rounding
 constexpr double resting_speed = 1e-9;
 
@@ -211,15 +214,15 @@ void SurfaceStep::note_pressed(const Plan& plan, double h) {
   }
 }
 
-// Displacements, without velocities, that separate what is closer than its thickness. Returns whether there are any. What forces other than
-// gravity press together stays as close as it is: separating against springs, while friction holds what they would pull back, stretches
-// them without end.
+// Displacements, without velocities, that separate what is closer than its thickness. Returns whether there are any. The harder forces
+// other than gravity press, the less it separates: against springs, while friction holds what they would pull back, that would stretch them
+// without end. Friction acts on these displacements, too.
 bool SurfaceStep::separate(const Plan& plan, const Field& v0, double h) {
   path_ = u_;
   const double part = std::min(max_separation, h / separation_time);
   const auto is_close = [](const SurfaceContact& contact) { return contact.gap < 0.0; };
   if (std::ranges::none_of(contacts_.surface, is_close)) return false;
-  // [m/s], by forces other than gravity in the substep, and what counts as none, by rounding or drag
+  // [m/s], by forces other than gravity in the substep
   shift_.resize(x_.size());
   double max_speed = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k) {
@@ -227,12 +230,17 @@ bool SurfaceStep::separate(const Plan& plan, const Field& v0, double h) {
     shift_[k] = is_free ? free_velocity_[k] - point_in(plan, v0, plan.surface.points[k]) - h * plan.gravity : Vec3(0.0);
     if (is_free) max_speed = std::max(max_speed, glm::length(free_velocity_[k]));
   }
-  const double tolerance = 1e-3 * h * glm::length(plan.gravity) + 1e-12 * max_speed;
+  const double max_press = max_pressing_gravities * h * glm::length(plan.gravity) + 1e-12 * max_speed;  // of which the latter is rounding
   bool any = false;
   for (SurfaceContact& contact : contacts_.surface) {
     const double approach = -glm::dot(contact.normal, weighted(u_, contact.points, contact.weight));
-    const bool is_pressed = glm::dot(contact.normal, weighted(shift_, contact.points, contact.weight)) < -tolerance;
-    contact.target = !is_close(contact) ? std::min(0.0, contact.target + approach) : is_pressed ? 0.0 : approach - part * contact.gap / h;
+    if (!is_close(contact)) {
+      contact.target = std::min(0.0, contact.target + approach);
+      continue;
+    }
+    const double press = -glm::dot(contact.normal, weighted(shift_, contact.points, contact.weight));
+    const double left = max_press > 0.0 ? std::clamp(1.0 - press / max_press, 0.0, 1.0) : press > 0.0 ? 0.0 : 1.0;
+    contact.target = approach - left * part * contact.gap / h;
     any = any || contact.target > 0.0;
   }
   if (!any) return false;
