@@ -17,6 +17,8 @@ struct Obstacle {
   Vec3 velocity_at(double t) const { return velocity + t * acceleration; }
 };
 
+inline bool moves(const Obstacle& obstacle) { return obstacle.velocity != Vec3(0.0) || obstacle.acceleration != Vec3(0.0); }
+
 // The plan's colliders in the step of h that starts at `start`.
 std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double h, std::vector<Obstacle>& obstacles);
 

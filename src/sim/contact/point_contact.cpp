@@ -196,7 +196,7 @@ const Obstacle* PointContactSolver::advance_segment(Segment& segment, const Supp
   };
   const Obstacle* hit = nullptr;
   for (const Support& s : supports.all()) {
-    if (!(s.normal_acceleration > 0.0)) continue;
+    if (!(s.normal_acceleration > 0.0) || moves(*s.obstacle)) continue;
     const Gap gap{.normal = s.normal, .curvature = s.curvature};
     segment.time = time_on_part(*s.obstacle->collider, gap, relative_path(*s.obstacle), segment.time);
   }
