@@ -137,7 +137,8 @@ bool SurfaceContacts::settle(std::span<const double> inverse_mass, double fricti
       SurfaceContact& contact = surface[sweep % 2 == 0 ? k : surface.size() - 1 - k];
       change = std::max(change, settle_contact(contact, inverse_mass, friction, leverage, velocity));
     }
-    for (ObstacleContact& contact : obstacles) change = std::max(change, settle_obstacle(contact, inverse_mass, rubs_on_obstacles, velocity));
+    for (ObstacleContact& contact : obstacles)
+      change = std::max(change, settle_obstacle(contact, inverse_mass, rubs_on_obstacles, velocity));
     impulses += static_cast<long>(surface.size());
     max_change = std::max(max_change, change);
     if (!(change > relative_tolerance * max_change)) break;
