@@ -16,7 +16,8 @@ struct SuppliedWork {
 // Without the bounds, the energy that an unstable motion gains where something moves would count as supplied. Returns the rest.
 double book_contact_work(double work, const SuppliedWork& bounds, Motion& motion);
 
-// What one supplies and another takes in the same substep is work of neither: the part of the work of the first [J] that the second cancels.
+// What one supplies and another takes in the same substep is work of neither: the part of the work of the first [J] that the second
+// cancels.
 double canceled_work(double first, double second);
 
 // [J], of the free points.
