@@ -140,7 +140,7 @@ class HOOKE_PUBLIC Simulation {
   std::unique_ptr<Data> data_;
 };
 
-// The version of the library: "1.0.0".
+// The version of the library: "1.1.0".
 HOOKE_PUBLIC const char* version();
 
 }  // namespace hooke::v1

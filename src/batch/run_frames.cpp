@@ -11,6 +11,7 @@
 #include "base/text_lines.h"
 #include "batch/scene_options.h"
 #include "lab/accuracy/accuracy_text.h"
+#include "scene/crossed_parts.h"
 #include "sim/automatic/automatic.h"
 #include "sim/hash.h"
 #include "study/benchmark.h"
@@ -107,6 +108,9 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
     monitor.end_frame(lab.plan(), settings_used(scene.settings, scene.state), scene.system, scene.state, lab.last_frame().motion());
     if (hooks.progress) hooks.progress(frame + 1, frames);
   }
+  const PairContact& contact = scene.system.contact;
+  if (!totals.diverged && (scene.system.dimensions == 3 ? contact.faces : contact.springs))
+    monitor.note_crossings(static_cast<long>(count_crossings(scene.system, scene.state)), scene.state.time);
   totals.seconds = scene.state.time - start;
   totals.hash = hash_state(scene.state);
   if (is_automatic(scene.settings)) totals.frames_beyond_tolerance = tolerance.frames_beyond();

@@ -10,7 +10,9 @@ void CrossingFinder::follow(const Status& status) {
   const bool is_switched = now.system->contact != contact_;
   const std::size_t count = now.system->points().size() + now.system->springs().size() + now.system->faces.size();
   const bool has_more = count > std::exchange(parts_, count);
-  if (!is_switched && !(found_ && is_moved) && !has_more && !(is_edited && !status.run.running)) return;
+  // nailed and held points can force what contact keeps apart
+  const bool is_forced = is_moved && status.run.crossings > 0;
+  if (!is_switched && !is_forced && !(found_ && is_moved) && !has_more && !(is_edited && !status.run.running)) return;
   system_ = now.system;
   contact_ = now.system->contact;
   time_ = now.state.time;

@@ -11,7 +11,7 @@ namespace hooke {
 class CrossingFinder {
  public:
   // Once per frame. Contact keeps apart what is apart: a run is searched only from a start in which something crosses, or from when parts
-  // were added, such as by undo, until nothing does.
+  // were added, such as by undo, or nailed or held points forced some through others, until nothing does.
   void follow(const Status& status);
   // Null: nothing crosses.
   const std::shared_ptr<const CrossedParts>& found() const { return found_; }

@@ -81,7 +81,8 @@ RunStatus Lab::run_status() const {
           .hand_lag = scene_.system.hand_speed > 0.0 && has_hand ? hand_lag_ : 0.0,
           .limit_power = running_ ? last_limit_work_ * scene_.settings.frame_rate : 0.0,
           .limit_work = limit_work_,
-          .gas_releases = gas_releases_.size()};
+          .gas_releases = gas_releases_.size(),
+          .crossings = last_frame().motion().crossings};
 }
 
 TimelineStatus Lab::timeline_status() const {

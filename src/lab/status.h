@@ -36,6 +36,7 @@ struct RunStatus {
   double hand_lag = 0.0;                       // [m], from the hand to its target because of its maximum speed
   double limit_power = 0.0, limit_work = 0.0;  // [W] now and [J] in total, of the strain limit on the scene
   std::size_t gas_releases = 0;                // surfaces filled with gas that tears have opened
+  long crossings = 0;                          // as Motion, at the start of the last frame
 };
 
 struct HistoryStatus {

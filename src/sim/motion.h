@@ -49,6 +49,8 @@ struct Motion {
   // of contact of points, faces and springs with each other: pairs that were examined, on paths once for each distance, and impulses
   // between two, those of each sweep
   long contact_tests = 0, contact_impulses = 0;
+  // at the start of the frame: edges that pass through faces, in flat scenes springs through each other, of those that contact keeps apart
+  long crossings = 0;
   // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
   double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;
   double limit_gain = 0.0;                      // [J], the part of limit_work that a strain limit cannot supply: an error

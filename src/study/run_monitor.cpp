@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "base/text_lines.h"
 #include "lab/large_run.h"
 #include "sim/automatic/automatic.h"
 #include "sim/energy.h"
@@ -112,11 +113,18 @@ double RunMonitor::modified_change(Reference& since, double energy, const Now& n
   return std::abs(modified) < std::abs(change) ? modified : change;
 }
 
+void RunMonitor::note_crossings(long crossings, double time) {
+  if (!first_crossings_) first_crossings_ = crossings;
+  if (crossings > 0 && max_crossings_ == 0) crossed_time_ = time;
+  max_crossings_ = std::max(max_crossings_, crossings);
+}
+
 void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion) {
   ++frames_;
   // `auto` has an estimate for every frame
   if (state.memory.choice) estimated_error_ += state.memory.choice->ratio * state.memory.choice->target;
   unconverged_solves_ += motion.unconverged_solves;
+  note_crossings(motion.crossings, state.time - 1.0 / settings.frame_rate);
   const Now now{plan, settings, state, &motion};
   const double energy = unexplained_energy(system, state);
   scale_ = state.ledger.scale;
@@ -156,6 +164,10 @@ std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const 
   std::vector<std::string> warnings;
   if (unconverged_solves_ > 0)
     warnings.push_back(std::to_string(unconverged_solves_) + (unconverged_solves_ == 1 ? " solve" : " solves") + " did not converge");
+  // those of the start are another warning
+  if (first_crossings_ == 0 && max_crossings_ > 0)
+    warnings.push_back("nailed or held points forced up to " + pluralize(static_cast<std::size_t>(max_crossings_), "edge", "edges") +
+                       " through faces or springs, from " + quantity_text(crossed_time_, "s", 4) + " on");
   // a run that loses most of its energy may gain some in between
   const double limit = tolerance.energy * scale_;
   const Extreme& gain = hidden_gain_.energy > rise_.energy ? hidden_gain_ : rise_;

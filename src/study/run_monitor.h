@@ -33,6 +33,9 @@ class RunMonitor {
   // `plan`: of `system` after the frame. `motion`: that of the frame, as it ended.
   void end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion);
 
+  // Edges that pass through faces, or springs of flat scenes through each other, now [s]; of the starts of frames the monitor knows.
+  void note_crossings(long crossings, double time);
+
   long unconverged_solves() const { return unconverged_solves_; }
   // Maximum rise of the energy, minus the work of the hand, forces and edits, above an earlier value, relative to the supplied energy [1].
   // No physical process causes one. A symplectic method lets the energy oscillate about its modified energy, which is no error of the
@@ -50,6 +53,9 @@ class RunMonitor {
  private:
   const int frames_per_estimate_;
   long frames_ = 0, unconverged_solves_ = 0;
+  std::optional<long> first_crossings_;  // none: not known yet
+  long max_crossings_ = 0;
+  double crossed_time_ = 0.0;  // [s], when there were first some
   // An energy of the scene, minus the work done on it, and by how much the modified energy exceeded it then [J]. The latter costs some
   // force evaluations: in a large net, where a state takes much memory and a frame has many steps, it is computed at once, otherwise from a
   // copy of the state where it is needed.

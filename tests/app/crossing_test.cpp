@@ -68,5 +68,20 @@ TEST(Crossings, AreHighlightedWhenUndoRestoresABallInASheet) {
   EXPECT_NE(gui.text().find("1 point overlaps faces or springs, as highlighted"), std::string::npos);
 }
 
+// A hand pulls the corner of a triangle through a nailed one.
+TEST(Crossings, AreHighlightedWhereTheHandForcesThem) {
+  GuiFixture gui(parse(R"({"hooke": 1, "gravity": [0, 0, 0], "contact": {"faces": true},
+    "points": [{"position": [-1, 0, -1], "nailed": true}, {"position": [1, 0, -1], "nailed": true}, {"position": [0, 0, 1], "nailed": true},
+               {"position": [0, 0.2, 0]}, {"position": [0.3, 0.4, 0]}, {"position": [-0.3, 0.4, 0]}],
+    "springs": [{"points": [3, 4], "stiffness": 100}, {"points": [4, 5], "stiffness": 100}, {"points": [5, 3], "stiffness": 100}],
+    "faces": [[0, 1, 2], [3, 4, 5]],
+    "hand": {"point": 3, "circle": {"from": [0, 0.2, 0], "center": [0, 0, 0], "axis": [0, 0, 1]}, "speed": 1, "seconds": 0.6}})"));
+  EXPECT_EQ(gui.app().marks().crossed, nullptr);
+  gui.app().handle(Request(Control(RunTo{0.45})));
+  for (int i = 0; i < 2000 && gui.status().snapshot->state.time < 0.449; ++i) gui.frame();
+  gui.frames(2);
+  EXPECT_NE(gui.app().marks().crossed, nullptr);
+}
+
 }  // namespace
 }  // namespace hooke

@@ -223,5 +223,20 @@ TEST(Headless, RunWarnsOfAnAccumulatedErrorThatIsLargeInComparisonWithTheMotion)
   EXPECT_EQ(err_of({"--integrator", "runge_kutta4"}), "");
 }
 
+// A hand pulls the corner of a triangle through a nailed one, and out of it again.
+TEST(Headless, RunWarnsOfWhatHeldPointsForceThroughFaces) {
+  const ScratchFolder scratch;
+  const std::string scene = write_file(scratch.folder / "scene.json", R"({"hooke": 1, "gravity": [0, 0, 0], "contact": {"faces": true},
+    "points": [{"position": [-1, 0, -1], "nailed": true}, {"position": [1, 0, -1], "nailed": true}, {"position": [0, 0, 1], "nailed": true},
+               {"position": [0, 0.2, 0]}, {"position": [0.3, 0.4, 0]}, {"position": [-0.3, 0.4, 0]}],
+    "springs": [{"points": [3, 4], "stiffness": 100}, {"points": [4, 5], "stiffness": 100}, {"points": [5, 3], "stiffness": 100}],
+    "faces": [[0, 1, 2], [3, 4, 5]],
+    "hand": {"point": 3, "circle": {"from": [0, 0.2, 0], "center": [0, 0, 0], "axis": [0, 0, 1]}, "speed": 1, "seconds": 0.6}})");
+  EXPECT_NE(
+      headless({"run", scene, "--seconds", "0.8"}).err.find("nailed or held points forced up to 2 edges through faces or springs, from 0."),
+      std::string::npos);
+  EXPECT_EQ(headless({"run", scene, "--seconds", "0.2"}).err.find("forced"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hooke

@@ -18,7 +18,7 @@ namespace {
 // Tries every file of a folder and returns their number.
 int replay(const std::string& format, void (*try_as)(std::string_view bytes)) {
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(FUZZ_CORPUS "/" + format)) {
+  for (const auto& entry : std::filesystem::directory_iterator(FUZZ_FOLDER "/corpus/" + format)) {
     SCOPED_TRACE(entry.path().filename().string());
     try_as(contents(entry.path()));
     ++count;

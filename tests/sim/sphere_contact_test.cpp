@@ -232,7 +232,7 @@ TEST_P(SphereContactOf, DoesNotPressDiscsIntoEachOtherInAFunnel) {
   for (const double friction : {0.0, 0.3}) {
     TestSim sim = discs_in_a_funnel(friction);
     double overlap = 0.0;
-    for (int i = 0; i < 90; ++i) {
+    for (int i = 0; i < 60; ++i) {
       sim.run(method(), frame_of_spheres, 20);
       overlap = std::max(overlap, overlap_of_discs(sim));
     }

@@ -51,7 +51,7 @@ State after_contact(TestSim sim, const Integrator& method, int steps) {
 // Of the RMS error over neighboring numbers of steps, because it depends on where in its step the impact falls.
 double order_in_contact(const Integrator& method, TestSim (*make)()) {
   static std::map<TestSim (*)(), State> references;
-  if (!references.contains(make)) references[make] = after_contact(make(), *find_integrator("runge_kutta4"), 1 << 18);
+  if (!references.contains(make)) references[make] = after_contact(make(), *find_integrator("runge_kutta4"), 1 << 16);
   const State& reference = references[make];
   const auto error_at = [&](int steps) {
     double sum = 0.0;

@@ -70,6 +70,7 @@ void add_counts(const Motion& part, Motion& sum) {
   sum.dashpot_sweeps += part.dashpot_sweeps;
   sum.limit_sweeps += part.limit_sweeps;
   sum.unconverged_solves += part.unconverged_solves;
+  sum.crossings += part.crossings;
   sum.collider_work += part.collider_work;
   sum.break_work += part.break_work;
   sum.limit_work += part.limit_work;

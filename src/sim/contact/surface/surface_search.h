@@ -69,9 +69,10 @@ class SurfaceSearch {
   // The part of the thickness at which two features touch.
   double part(const SurfacePair& pair) const { return part(pair.kind, pair.features); }
 
-  long searches() const;    // of groups, and of pairs in a group, in this frame
-  long tests() const;       // distances and groups that were examined, in this substep
-  long candidates() const;  // pairs
+  long crossings() const { return crossings_; }  // at the start of this frame
+  long searches() const;                         // of groups, and of pairs in a group, in this frame
+  long tests() const;                            // distances and groups that were examined, in this substep
+  long candidates() const;                       // pairs
 
  private:
   static constexpr double round_off = 1e-12;  // [m]
@@ -162,6 +163,7 @@ class SurfaceSearch {
   // Per point, by the crossings at the start of the frame on whose edge or face it is; empty: there are none. What passes through a face is
   // left alone: springs, or faces if it is the edge of one.
   std::vector<LeftOut> left_out_;
+  long crossings_ = 0;
   std::vector<Vec3> last_, u_;    // places at the start of the substep, and velocities in it [m/s]
   std::vector<char> is_changed_;  // per point, whether that is another one
 

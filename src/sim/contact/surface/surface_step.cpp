@@ -61,6 +61,7 @@ bool SurfaceStep::correct(const Plan& plan, std::span<const Obstacle> obstacles,
   // a motion that is not finite has diverged
   if (!load(plan, x0, h, motion)) return false;
   if (!search_.is_begun()) start_frame(plan);
+  motion.crossings = search_.crossings();
   search_.begin_substep(plan, x_, u_, h);
   has_failed_ = !search_.find_near(plan, x_);
   if (has_failed_ || !search_.is_any_near()) return false;
