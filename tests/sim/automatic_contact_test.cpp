@@ -134,5 +134,26 @@ TEST(AutomaticEdge, KeepsTheToleranceOfAPointThatSlidesOff) {
       }
 }
 
+// A ball that falls on a nailed face and leaves it, from heights at which it touches at different times within a frame. A rebound starts at
+// the end of a substep: where two numbers of substeps have an end in common, their difference does not say how late that is.
+TEST(AutomaticRebound, KeepsTheToleranceOfABallThatLeavesAFace) {
+  constexpr double g = 9.81, restitution = 0.6, touch = 0.06, seconds = 0.4, tolerance = 1e-3;
+  for (int i = 0; i < 12; ++i) {
+    const double height = 0.17 + 0.006 * i;
+    TestSim sim;
+    sim.system.gravity = {0.0, -g, 0.0};
+    sim.system.contact = {.faces = true, .thickness = 0.01, .restitution = restitution};
+    sim.add({0.02, touch + height, 0.0}, 0.2);
+    sim.system.point(0).radius = 0.05;
+    const PointId left = sim.nail({-0.1, 0.0, -0.1}), right = sim.nail({0.1, 0.0, -0.1});
+    sim.system.faces.push_back({{left, right, sim.nail({0.0, 0.0, 0.2})}});
+    Plan plan = make_plan(sim.system);
+    Frame frame;
+    for (int k = 0; k < 24; ++k) sim.state = next_frame(plan, frame, sim.system, automatic(tolerance), sim.state);
+    const double t = seconds - std::sqrt(2.0 * height / g), speed = restitution * std::sqrt(2.0 * g * height);
+    EXPECT_NEAR(sim.state.position[0].y, touch + speed * t - 0.5 * g * t * t, std::sqrt(4.0) * tolerance * seconds) << height;
+  }
+}
+
 }  // namespace
 }  // namespace hooke

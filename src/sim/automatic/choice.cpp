@@ -100,14 +100,14 @@ bool follow(MethodChoice& choice, Trials& trials, const Plan& plan, const System
                     : choice.method == &leapfrog ? optimistic_order(plan, system, leapfrog, trial.substep())
                                                  : effective_order(system, *choice.method);
   const bool has_stable_half = choice.substeps / 2 >= choice.min_substeps && choice.method->implicit_solve == ImplicitSolve::None;
-  const bool is_by_coarser = has_stable_half && order > 1 && before > easy_ratio && !is_sudden && plan.break_length.empty();
+  const bool is_by_coarser =
+      has_stable_half && order > 1 && before > easy_ratio && !is_sudden && plan.break_length.empty() && !plan.surface.on;
   bool breaks = false;
   Trials::Result result;
   const auto measure = [&](int substeps, bool by_coarser) {
     trial.substeps = substeps;
-    const double max_cost = 1.25 * goal.max_cost;
-    result = by_coarser ? trials.measure_by_coarser(trial, max_cost)
-                        : trials.measure(trial, max_cost, is_sudden ? 0.0 : acceptable_ratio * goal.target);
+    const double max_cost = 1.25 * goal.max_cost, limit = is_sudden ? 0.0 : acceptable_ratio * goal.target;
+    result = by_coarser ? trials.measure_by_coarser(trial, max_cost) : trials.measure(trial, max_cost, limit);
     if (is_sudden && std::isfinite(result.error)) result.error = std::max(result.error, trials.unresolved(trial));
     breaks = result.breaks;
     return std::pair(result.error / goal.target, result.cost);

@@ -174,22 +174,24 @@ bool Trials::starts_on_collider(std::size_t point, double max_error) const {
   return false;
 }
 
-bool Trials::has_impact(double max_error) const {
-  if (last_.method == nullptr) return false;
+// [m], RMS over the points, of what would be an impact a substep too late in the frame that was computed last; 0: there is none. What is
+// closer to a collider than `resolution` [m] is on it.
+double Trials::impact_error(double resolution) const {
+  if (last_.method == nullptr) return 0.0;
   // by a method of first order, the error is half of this under any change of the velocity, as of what has just left the ground
   const bool is_of_first_order = last_.method->order == 1;
-  if (!is_of_first_order && !last_.frame.has_touched()) return false;
+  if (!is_of_first_order && !last_.frame.has_touched()) return 0.0;
   const Vec3 fall = last_.frame.duration() * plan_.gravity;
   double sum = 0.0;  // of the squared changes of velocity that are neither rest nor free fall, unless it begins in this frame
   for (std::size_t i = 0; i < last_velocities_.size(); ++i) {
     const Vec3 change = last_velocities_[i] - start_->velocity[i];
     const double square = glm::dot(change, change), from_fall = glm::dot(change - fall, change - fall);
-    const bool falls = from_fall < square && !is_of_first_order && !starts_on_collider(i, max_error);
+    const bool falls = from_fall < square && !is_of_first_order && !starts_on_collider(i, resolution);
     sum += falls ? from_fall : square;
   }
   const double rms = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, last_velocities_.size())));
   const double part = is_of_first_order && !last_.frame.has_touched() ? 0.5 : 1.0;
-  return part * rms * last_.frame.duration() / last_.substeps > max_error;
+  return part * rms * last_.frame.duration() / last_.substeps;
 }
 
 int Trials::resolving_substeps(double frame_rate) {
@@ -270,6 +272,13 @@ Trials::Result Trials::measure(const Settings& settings, double max_cost, double
   const double converged = portable::pow(ratio, result.breaks ? -1.0 : -effective_order(*system_, *settings.integrator));
   const double weight = order_reduction(settings, plan_.spectrum) / (1.0 - converged);
   result.error = weighted_distance(last_positions_, end_.position, weight).rms;
+  // Impulses of faces and springs may change velocities at the end of a frame, which moves nothing in it and everything afterwards. A
+  // rebound starts at the end of a substep, by half of one too late: both runs may end that substep at the same time.
+  if (plan_.surface.on && has_impact(limit)) {
+    const double velocity_error = weighted_distance(last_velocities_, end_.velocity, weight).rms;
+    result.error = std::max(result.error, last_.frame.duration() * velocity_error);
+    if (plan_.surface.restitution > 0.0) result.error = std::max(result.error, 0.5 * impact_error(limit));
+  }
   if (fine.substeps < 2 * settings.substeps && !result.breaks) {
     result.fine_substeps = fine.substeps;
     result.fine_error = converged * result.error;

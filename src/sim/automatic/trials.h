@@ -59,7 +59,7 @@ class Trials {
   End compute_frame(const Settings& settings, double max_cost, double* cost);
   // Whether something touched in the frame that was computed last, and changed its velocity so much that an impact at another time within
   // a substep would be an error of more than this [m]; or whether a method of first order has such an error without a touch.
-  bool has_impact(double max_error) const;
+  bool has_impact(double max_error) const { return impact_error(max_error) > max_error; }
   // Whether springs broke in the frame that was computed last.
   bool has_broken() const { return last_.method != nullptr && !last_.frame.broken().empty(); }
   // The substeps that resolve the vibrations of the springs, and whether springs break in the frame in that many of the default method. No
@@ -85,6 +85,7 @@ class Trials {
   double total_cost() const { return total_cost_; }
 
  private:
+  double impact_error(double resolution) const;
   // A frame with the settings with which it was computed.
   struct Computed {
     Frame frame;
