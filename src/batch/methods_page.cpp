@@ -168,7 +168,7 @@ std::string methods_page(const Results& results) {
   text +=
       "\nContact is an impact of any restitution, and sliding without friction. A tolerance that is set for `dop853` applies to contact "
       "too; "
-      "these orders are those of steps of a given length.\n";
+      "these orders are those of steps of a given length. A release from a `sticky` plane keeps the order without it, up to 3.\n";
   text += recommended_step;
   text +=
       "\n## Measured\n\nCPU time of each method to reach an error, as a multiple of that of the cheapest method; errors are relative to "

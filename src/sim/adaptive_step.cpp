@@ -7,46 +7,47 @@
 #include "sim/portable_math.h"
 
 namespace hooke {
+
+StepCounters::StepCounters(const Motion& motion, const ForceWork& work)
+    : memory(motion.memory),
+      collider_work(motion.collider_work),
+      contact_work(motion.contact_work),
+      hand_work(motion.hand_work),
+      abs_hand_work(motion.abs_hand_work),
+      limit_work(motion.limit_work),
+      limit_gain(motion.limit_gain),
+      force_work(motion.force_work),
+      reversible_work(motion.reversible_work),
+      drag_work(motion.drag_work),
+      dashpot_work(motion.dashpot_work),
+      local_error(motion.local_error),
+      forces(work.memory()) {}
+
+void StepCounters::restore(Motion& motion, ForceWork& work) const {
+  motion.memory = memory;
+  motion.collider_work = collider_work;
+  motion.contact_work = contact_work;
+  motion.hand_work = hand_work;
+  motion.abs_hand_work = abs_hand_work;
+  motion.limit_work = limit_work;
+  motion.limit_gain = limit_gain;
+  motion.force_work = force_work;
+  motion.reversible_work = reversible_work;
+  motion.drag_work = drag_work;
+  motion.dashpot_work = dashpot_work;
+  motion.local_error = local_error;
+  work.restore(forces);
+}
+
 namespace {
 
-// What a step adds to or overwrites besides positions and velocities.
-struct Counters {
-  MethodMemory memory;
-  double collider_work, contact_work, hand_work, abs_hand_work, limit_work, limit_gain, force_work, reversible_work, drag_work,
-      dashpot_work, local_error;
-  ForceWork::Memory forces;
-  Counters(const Motion& motion, const ForceWork& work)
-      : memory(motion.memory),
-        collider_work(motion.collider_work),
-        contact_work(motion.contact_work),
-        hand_work(motion.hand_work),
-        abs_hand_work(motion.abs_hand_work),
-        limit_work(motion.limit_work),
-        limit_gain(motion.limit_gain),
-        force_work(motion.force_work),
-        reversible_work(motion.reversible_work),
-        drag_work(motion.drag_work),
-        dashpot_work(motion.dashpot_work),
-        local_error(motion.local_error),
-        forces(work.memory()) {}
-  // For another attempt with this step [s]. A memory without an error stands for a first step, whose length the method chooses itself:
-  // each attempt would be that step again.
-  void restore(Motion& motion, double step, ForceWork& work) const {
-    motion.memory = {.step = step, .error = memory.error > 0.0 ? memory.error : motion.memory.error};
-    motion.collider_work = collider_work;
-    motion.contact_work = contact_work;
-    motion.hand_work = hand_work;
-    motion.abs_hand_work = abs_hand_work;
-    motion.limit_work = limit_work;
-    motion.limit_gain = limit_gain;
-    motion.force_work = force_work;
-    motion.reversible_work = reversible_work;
-    motion.drag_work = drag_work;
-    motion.dashpot_work = dashpot_work;
-    motion.local_error = local_error;
-    work.restore(forces);
-  }
-};
+// For another attempt with this step [s]. A memory without an error stands for a first step, whose length the method chooses itself: each
+// attempt would be that step again.
+void restore(const StepCounters& before, double step, Motion& motion, ForceWork& work) {
+  const MethodMemory memory{.step = step, .error = before.memory.error > 0.0 ? before.memory.error : motion.memory.error};
+  before.restore(motion, work);
+  motion.memory = memory;
+}
 
 void store(const Motion& motion, ContactWorkspace& state) {
   state.time = motion.time;
@@ -136,7 +137,7 @@ double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& metho
   for (double done = 0.0; done < h;) {
     if (is_at_limit(motion)) return 0.0;
     store(motion, piece_);
-    const Counters before(motion, force_work);
+    const StepCounters before(motion, force_work);
     const double end = done < split ? split : h, left = end - done,
                  length = advance_freely(plan, method, motion, work, left, piece_.damping, force_work);
     if (length == 0.0) return 0.0;
@@ -149,7 +150,7 @@ double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& metho
       split = 0.5 * (impact + h);
       ++splits;
       restore(piece_, motion);
-      before.restore(motion, split - done, force_work);
+      restore(before, split - done, motion, force_work);
       continue;
     }
     ends_free_ = !touches;
@@ -184,7 +185,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
   scale.velocity = std::max(scale.velocity, 10.0 * contact_round_off);
   store(motion, before_);
   while (true) {
-    const Counters before(motion, force_work);
+    const StepCounters before(motion, force_work);
     const double h = advance_freely(plan, method, motion, work, interval, before_.damping, force_work);
     if (h == 0.0) return 0.0;
     const bool ends = h == left;
@@ -194,7 +195,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
     std::ranges::copy(motion.v, coarse_v_.begin());
     const double free_step = motion.memory.step;
     restore(before_, motion);
-    before.restore(motion, 0.5 * h, force_work);
+    restore(before, 0.5 * h, motion, force_work);
     if (advance_in_pieces(plan, method, motion, work, h, ends, force_work) == 0.0) return 0.0;
 
     const double position = difference(plan, coarse_x_, motion.x) / 3.0, velocity = difference(plan, coarse_v_, motion.v) / 3.0;
@@ -219,7 +220,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
     double impact = first_touch_;
     for (int attempt = 0; attempt < max_attempts && std::isfinite(impact) && impact > 2.0 * contact_step; ++attempt) {
       restore(before_, motion);
-      before.restore(motion, h, force_work);
+      restore(before, h, motion, force_work);
       const double jump = impact - 0.25 * contact_step,
                    length = advance_freely(plan, method, motion, work, jump, before_.damping, force_work);
       if (length == 0.0) return 0.0;
@@ -231,7 +232,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
       impact = before_.first_touch;
     }
     restore(before_, motion);
-    before.restore(motion, contact_step, force_work);
+    restore(before, contact_step, motion, force_work);
   }
 }
 

@@ -13,6 +13,16 @@ inline constexpr long max_adaptive_evaluations = 2'000'000;
 // The same for steps with contact of faces or springs, each of which costs as much as hundreds of force evaluations.
 inline constexpr long max_adaptive_surface_steps = 5'000;
 
+// What a step adds to or overwrites besides positions and velocities, for steps that are taken back.
+struct StepCounters {
+  MethodMemory memory;
+  double collider_work, contact_work, hand_work, abs_hand_work, limit_work, limit_gain, force_work, reversible_work, drag_work,
+      dashpot_work, local_error;
+  ForceWork::Memory forces;
+  StepCounters(const Motion& motion, const ForceWork& work);
+  void restore(Motion& motion, ForceWork& work) const;
+};
+
 // Unit of the error [m], [m/s]: the tolerance, a velocity error counting by its effect within a second; at least the rounding
 // error of coordinates and of forces.
 struct ErrorScale {

@@ -95,6 +95,7 @@ void plan_forces(Plan& plan, const System& system) {
   plan.face_rows.clear();
   plan.hinges = {};
   plan.enclosures = {};
+  plan.sticky.strength = 0.0;
   if (plan.forces.empty()) return;
   for (const Face& face : system.faces)
     plan.faces.push_back({system.index_of(face.points[0]), system.index_of(face.points[1]), system.index_of(face.points[2])});

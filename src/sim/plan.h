@@ -91,6 +91,17 @@ struct Spectrum {
   bool operator==(const Spectrum&) const = default;
 };
 
+// A point that touches a plane.
+struct StickyContact {
+  Index point, collider;
+  bool operator==(const StickyContact&) const = default;
+};
+// Planes that hold points (forces/terms/sticky.cpp).
+struct StickyPlan {
+  double strength = 0.0;            // [N]; 0: none does
+  std::vector<StickyContact> held;  // during the step in progress (forces/terms/sticking.h)
+};
+
 struct Plan {
   // Points have the numbers in which they are stepped fastest (numbering/point_order.h). Empty: those of the System.
   std::vector<Index> point_index;   // of the planned point, in the System
@@ -126,9 +137,10 @@ struct Plan {
   // [s], the longest step that resolves the oscillations of the colliders; infinity: none oscillates
   double resolving_step = std::numeric_limits<double>::infinity();
   std::optional<GrabbedCollider> grabbed_collider;
-  PairPlan pairs;                           // of points that touch
-  SurfacePlan surface;                      // of faces and springs that touch
-  std::vector<Force> forces;                // those switched on, in the order of the table
+  PairPlan pairs;             // of points that touch
+  SurfacePlan surface;        // of faces and springs that touch
+  std::vector<Force> forces;  // those switched on, in the order of the table
+  StickyPlan sticky;
   bool forces_depend_on_velocity = false;   // whether any of them does
   std::vector<std::array<Index, 3>> faces;  // of points; empty without listed forces
   std::vector<FaceRow> face_rows;           // in their order; empty without wind

@@ -100,6 +100,7 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   force_work_.begin_frame(plan, motion_);
   before_.damping.begin_frame(plan, integrator_->velocity_lag, motion_, work_);
   before_.begin_frame();
+  sticking_.begin_frame(plan, motion_);
   before_.velocity_lag = integrator_->velocity_lag;
   before_.friction_lag = integrator_->symplectic ? integrator_->velocity_lag : 0.0;
   before_.kicks_last = integrator_->kicks_last;
@@ -214,59 +215,27 @@ void Frame::substep(Plan& plan) {
     force_work_.integrate_power(plan, motion_, flown);
     const bool is_moved = act(plan, h_, false);
     force_work_.end_substep(plan, motion_, flown, is_moved);
+    break_long_springs(plan);
     return;
   }
 
   const bool is_adaptive = integrator_->advance != nullptr;
   const bool lags = integrator_->velocity_lag != 0.0 && !plan.max_length.empty();
-  if ((plan.has_contact() || lags) && !is_adaptive) keep_start(plan, motion_, before_);
+  if (left_ == h_) sticking_.begin_substep();
+  sticking_.begin_step(plan, motion_);
+  const bool may_release = !plan.sticky.held.empty();
+  if (((plan.has_contact() || lags) && !is_adaptive) || may_release) keep_start(plan, motion_, before_);
 
   const long evaluations_before = motion_.force_evaluations, sweeps_before = motion_.dashpot_sweeps;
   const bool knew_acceleration = motion_.acceleration_is_current;
-  const bool has_hand = plan.held || plan.pull;
-  const double power = hand_power(plan, motion_), stored = energy_of_hand_alone(plan, motion_);
-  double length = next_step(plan);
-  if (is_adaptive) {
-    length = adaptive_step_.advance(plan, *integrator_, motion_, work_, length, left_, force_work_);
-  } else {
-    if (length != prepared_) prepare_method(plan, length);
-    prepared_ = length;
-    if (failure_ != StepFailure::None) return;
-    force_work_.begin_substep(plan, motion_);
-    before_.damping.begin_substep(plan, motion_, work_);
-    try {
-      integrator_->step(plan, motion_, work_, length);
-    } catch (const MatrixTooLarge&) {
-      failure_ = StepFailure::MatrixTooLarge;
-      return;
-    }
-    before_.damping.end_step(plan, motion_);
-  }
-  if (length == 0.0) {
-    failure_ = adaptive_step_.is_at_limit(motion_) ? StepFailure::TooMany : StepFailure::TooShort;
-    return;
-  }
+  bool is_moved = false;
+  const double length = may_release ? advance_to_release(plan, next_step(plan), is_moved) : advance(plan, next_step(plan), is_moved);
+  if (length == 0.0) return;
   const bool ends = length == left_;
   left_ = ends ? h_ : left_ - length;
   substeps_done_ += ends ? 1 : 0;
   if (is_adaptive && substeps_done_ < substeps_ && adaptive_step_.is_at_limit(motion_)) failure_ = StepFailure::TooMany;
-  motion_.time = ends ? start_ + substeps_done_ * h_ : motion_.time + length;
-
-  // trapezoidal rule for the power of the hand, but for what it stores by itself
-  if (has_hand) {
-    const double work = 0.5 * length * (power + hand_power(plan, motion_)) + energy_of_hand_alone(plan, motion_) - stored;
-    motion_.hand_work += work;
-    motion_.abs_hand_work += std::abs(work);
-  }
-  // an adaptive step includes the strain limit, contact and the work of forces
-  bool is_moved = false;
-  if (!is_adaptive) {
-    force_work_.integrate_power(plan, motion_, length);
-    is_moved = act(plan, length, true);
-    force_work_.end_substep(plan, motion_, length, is_moved);
-  } else if (ends || locates_breaks_) {
-    break_long_springs(plan);
-  }
+  if (!is_adaptive || ends || locates_breaks_) break_long_springs(plan);
   const long sweeps = motion_.dashpot_sweeps - sweeps_before;
   // dashpots among the forces act at velocities that the state does not contain
   const bool is_state_complete = !plan.has_dashpots() || sweeps > 0;
@@ -275,7 +244,76 @@ void Frame::substep(Plan& plan) {
     failure_ = StepFailure::TooManyPairs;
 }
 
-// What acts between two substeps: strain limit first, then contact, and only then do springs break. Returns whether points were moved.
+// By `length` [s], or by less with a method that adapts its step, up to where springs break. Returns the length; 0: it failed.
+double Frame::advance(Plan& plan, double length, bool& is_moved) {
+  const bool is_adaptive = integrator_->advance != nullptr, has_hand = plan.held || plan.pull;
+  const double power = hand_power(plan, motion_), stored = energy_of_hand_alone(plan, motion_);
+  if (is_adaptive) {
+    length = adaptive_step_.advance(plan, *integrator_, motion_, work_, length, left_, force_work_);
+  } else {
+    if (length != prepared_) prepare_method(plan, length);
+    prepared_ = length;
+    if (failure_ != StepFailure::None) return 0.0;
+    force_work_.begin_substep(plan, motion_);
+    before_.damping.begin_substep(plan, motion_, work_);
+    try {
+      integrator_->step(plan, motion_, work_, length);
+    } catch (const MatrixTooLarge&) {
+      failure_ = StepFailure::MatrixTooLarge;
+      return 0.0;
+    }
+    before_.damping.end_step(plan, motion_);
+  }
+  if (length == 0.0) {
+    failure_ = adaptive_step_.is_at_limit(motion_) ? StepFailure::TooMany : StepFailure::TooShort;
+    return 0.0;
+  }
+  motion_.time = length == left_ ? start_ + (substeps_done_ + 1) * h_ : motion_.time + length;
+
+  // trapezoidal rule for the power of the hand, but for what it stores by itself
+  if (has_hand) {
+    const double work = 0.5 * length * (power + hand_power(plan, motion_)) + energy_of_hand_alone(plan, motion_) - stored;
+    motion_.hand_work += work;
+    motion_.abs_hand_work += std::abs(work);
+  }
+  // an adaptive step includes the strain limit, contact and the work of forces
+  is_moved = false;
+  if (!is_adaptive) {
+    force_work_.integrate_power(plan, motion_, length);
+    is_moved = act(plan, length, true);
+    force_work_.end_substep(plan, motion_, length, is_moved);
+  }
+  return length;
+}
+
+// The same up to where a sticky plane lets go of the first point, if it does before.
+double Frame::advance_to_release(Plan& plan, double length, bool& is_moved) {
+  const StepCounters before(motion_, force_work_);
+  while (true) {
+    length = advance(plan, length, is_moved);
+    if (length == 0.0) return 0.0;
+    const double release = sticking_.time_of_release(plan, before_.x, before_.v, before_.time, length, motion_);
+    if (release >= length) {
+      sticking_.end_step(release == length);
+      return length;
+    }
+    motion_.time = before_.time;
+    motion_.x = before_.x;
+    motion_.v = before_.v;
+    motion_.acceleration_is_current = false;
+    motion_.moved = {};
+    before.restore(motion_, force_work_);
+    if (release > 0.0) {
+      length = advance(plan, release, is_moved);
+      sticking_.end_step(length == release);
+      return length;
+    }
+    sticking_.release_at_start();
+    sticking_.begin_step(plan, motion_);
+  }
+}
+
+// What acts between two substeps: strain limit first, then contact; only after that do springs break. Returns whether points were moved.
 bool Frame::act(Plan& plan, double h, bool may_touch) {
   bool is_moved = limit_strain(plan, before_, motion_);
   if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h)) {
@@ -284,7 +322,6 @@ bool Frame::act(Plan& plan, double h, bool may_touch) {
   }
   if (is_moved) motion_.acceleration_is_current = false;
   if (may_touch) before_.damping.end_substep(plan, h, before_.is_limited, motion_);
-  break_long_springs(plan);
   return is_moved;
 }
 

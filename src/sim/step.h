@@ -8,6 +8,7 @@
 #include "sim/automatic/automatic.h"
 #include "sim/contact/contact.h"
 #include "sim/forces/force_work.h"
+#include "sim/forces/terms/sticking.h"
 #include "sim/integrator.h"
 #include "sim/settings.h"
 #include "sim/state.h"
@@ -69,6 +70,8 @@ class Frame {
   bool fly(Plan& plan);
   bool is_at_rest(const Plan& plan) const;
   void stay(long evaluations, long sweeps);
+  double advance(Plan& plan, double length, bool& is_moved);
+  double advance_to_release(Plan& plan, double length, bool& is_moved);
   bool act(Plan& plan, double h, bool may_touch);
   void break_long_springs(Plan& plan);
   void prepare_method(const Plan& plan, double h);
@@ -94,6 +97,7 @@ class Frame {
   ContactWorkspace before_;
   AdaptiveStep adaptive_step_;
   ForceWork force_work_;
+  Sticking sticking_;
   std::vector<Index> broken_;
   Vec3 collider_displacement_{0.0};  // [m], of the carried collider in this frame
 };

@@ -64,6 +64,11 @@ Vec3 ColliderPath::velocity(double time) const {
   return amplitude == Vec3(0.0) ? amplitude : omega * portable::cos(omega * time + phase) * amplitude;
 }
 
+Vec3 ColliderPath::acceleration(double time) const {
+  const double omega = 2.0 * std::numbers::pi * frequency;
+  return -omega * omega * offset(time);
+}
+
 double ColliderPath::resolving_step() const {
   // the parabolas of contact (contact/obstacle.h) deviate by 5e-4 of the amplitude and 2 % of the largest velocity
   constexpr double steps_per_period = 16.0;

@@ -49,14 +49,15 @@ struct Box {
 // The motion of a collider: the shape oscillates about its rest position, or only its surface moves, as that of a spinning ball or of a
 // conveyor belt.
 struct ColliderPath {
-  Vec3 amplitude{0.0};               // [m]: the displacement is amplitude sin(2 pi frequency t + phase)
-  double frequency = 1.0;            // [1/s], >= 0
-  double phase = 0.0;                // [rad]
-  Vec3 spin{0.0};                    // [rad/s], about the center of a sphere, or the point of a plane, along its normal; not for boxes
-  Vec3 belt{0.0};                    // [m/s], of the surface; only its tangential part counts
-  Vec3 offset(double time) const;    // [m]
-  Vec3 velocity(double time) const;  // [m/s], of the shape
-  double resolving_step() const;     // [s], the longest that resolves the oscillation; infinity: it does not oscillate
+  Vec3 amplitude{0.0};                   // [m]: the displacement is amplitude sin(2 pi frequency t + phase)
+  double frequency = 1.0;                // [1/s], >= 0
+  double phase = 0.0;                    // [rad]
+  Vec3 spin{0.0};                        // [rad/s], about the center of a sphere, or the point of a plane, along its normal; not for boxes
+  Vec3 belt{0.0};                        // [m/s], of the surface; only its tangential part counts
+  Vec3 offset(double time) const;        // [m]
+  Vec3 velocity(double time) const;      // [m/s], of the shape
+  Vec3 acceleration(double time) const;  // [m/s^2], of it
+  double resolving_step() const;         // [s], the longest that resolves the oscillation; infinity: it does not oscillate
   bool moves() const { return *this != ColliderPath{.frequency = frequency, .phase = phase}; }
   bool operator==(const ColliderPath&) const = default;
 };

@@ -10,6 +10,7 @@
 #include "sim/contact/point_contact.h"
 #include "sim/contact/rounding.h"
 #include "sim/forces/bands.h"
+#include "sim/forces/terms/sticking.h"
 #include "sim/plan_energy.h"
 #include "sim/spring_limits.h"
 
@@ -145,6 +146,7 @@ class PointPass {
     // the parabola through both positions with the mean acceleration of the step: its velocity starts ahead of v0
     const Vec3 a = (v1 - v0) / h_, velocity_correction = without_rounding(plan_, (x1 - x0) / h_ - v0 - 0.5 * h_ * a, x0, h_);
     PointContactSolver solver(obstacles_, radius, x0, v0, before_.velocity_lag, before_.friction_lag);
+    solver.adhesion = plan_.sticky.strength * plan_.inverse_mass[i];
     if (!solver.advance(a, velocity_correction, h_)) return RestingPoints::Free;
     if (solver.push_out != Vec3(0.0)) {
       if (pushed == nullptr) return RestingPoints::Open;
@@ -175,6 +177,26 @@ class PointPass {
   std::size_t n_;
   bool keeps_path_;  // x' = x + h v' under friction
 };
+
+// Points that sticky planes accelerate at the start of the substep. Methods whose velocities lag lead them behind planes that move, by half
+// of what these are accelerated within it, where contact would count as an impact what is none.
+void follow_planes(const Plan& plan, const ContactWorkspace& before, double h, Motion& motion) {
+  const auto n = static_cast<std::size_t>(plan.points);
+  for (const StickyContact& contact : plan.sticky.held) {
+    const auto i = static_cast<std::size_t>(contact.point), k = static_cast<std::size_t>(contact.collider);
+    const auto& plane = std::get<Plane>(plan.colliders[k].shape);
+    const double acceleration = glm::dot(plane.normal, plan.colliders[k].path.acceleration(before.time));
+    const double own = glm::dot(plane.normal, vector_at(motion.a, n, i, plan.dimensions));
+    if (std::abs(own - acceleration) > 1e-9 * std::abs(acceleration)) continue;
+    const double end = before.time + h, height = glm::dot(plane.normal, plane.point + plan.offset_of(k, end)) + plan.radius[i];
+    const double distance = height - glm::dot(plane.normal, vector_at(motion.x, n, i, plan.dimensions));
+    const double speed = glm::dot(plane.normal, plan.velocity_of(k, end) - vector_at(motion.v, n, i, plan.dimensions));
+    for (int c = 0; c < plan.dimensions; ++c) {
+      motion.x[c * n + i] += distance * plane.normal[c];
+      motion.v[c * n + i] += speed * plane.normal[c];
+    }
+  }
+}
 
 // Adds the work of the contact, in addition to the work of the forces.
 void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h,
@@ -230,6 +252,8 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   before.pushed.clear();
   before.pushed.reserve(n);
   const double contact_work = motion.contact_work;  // [J], in the frame so far
+  if (before.velocity_lag != 0.0 && plan.colliders_move) follow_planes(plan, before, h, motion);
+  keep_on_planes(plan, before.time + h, motion);
   if (plan.surface.on)
     before.surface.begin_substep(plan, before.velocity_lag, before.kicks_last, before.is_limited ? &before.unlimited_v : nullptr,
                                  before.damping, motion);

@@ -18,10 +18,11 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
   double remaining = duration;
   for (int segments = 0; remaining > 0.0 && segments < max_path_segments; ++segments) {
     supports = find_supports(a, remaining);
-    Segment segment = plan_segment(supports, a, remaining, segments == 0 ? friction_lag_ : 0.0);
+    const Vec3 held = held_acceleration(a);
+    Segment segment = plan_segment(supports, held, remaining, segments == 0 ? friction_lag_ : 0.0);
     // What leaves its supports ends as in a flight. Otherwise its correction in the next step, along the acceleration, would lead back into
     // them: an impact in each step.
-    if (velocity_lag_ > 0.0 && !supports.any_loaded()) velocity_correction_ = velocity_correction;
+    if (velocity_lag_ > 0.0 && !supports.any_loaded() && held == a) velocity_correction_ = velocity_correction;
     const Vec3 start = x;
     if (segment.sticks) v = segment.support.surface;
     v += segment.velocity_correction;
@@ -56,6 +57,14 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
   gained = 0.5 * (glm::dot(v, v) - glm::dot(start_velocity, start_velocity));
   v -= velocity_correction_;
   return touched;
+}
+
+// Without what a sticky plane balances.
+Vec3 PointContactSolver::held_acceleration(const Vec3& a) const {
+  if (sticks_to_ == nullptr) return a;
+  const Vec3& normal = std::get<Plane>(sticks_to_->collider->shape).normal;
+  const double pull = glm::dot(normal, a - sticks_to_->acceleration);
+  return pull > 0.0 && pull <= adhesion ? a - pull * normal : a;
 }
 
 // Moves the point out of obstacles that it penetrates, along the normal.
@@ -278,6 +287,7 @@ void PointContactSolver::bounce(const Obstacle& obstacle, const Vec3& a, double 
   if (normal_acceleration > 0.0 && 2.0 * rebound <= remaining * normal_acceleration * (1.0 - collider.restitution)) rebound = 0.0;
   v = surface + tangential_velocity + rebound * gap.normal;
   if (rebound > 0.0) return;
+  if (adhesion > 0.0 && std::holds_alternative<Plane>(collider.shape)) sticks_to_ = &obstacle;
   // with a lag, as at the start of a step: on an edge, there may be an impact in each
   if (velocity_lag_ == 0.0 || collider.friction > 0.0 || tangential_velocity == Vec3(0.0))
     velocity_correction_ = obstacle.velocity_correction;

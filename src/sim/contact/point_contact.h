@@ -18,6 +18,9 @@ class PointContactSolver {
   Vec3 x, v;
   double first_touch = 0.0;  // [s], since the start, of the first impact on anything; 0 if something is touched at the start
   double first_impact = std::numeric_limits<double>::infinity();  // [s], since the start, whatever is touched before
+  // [m/s^2], by which a plane holds the point after an impact without a rebound (forces/terms/sticking.h); 0: it does not. To be set before
+  // `advance`.
+  double adhesion = 0.0;
   Vec3 push_out{0.0};  // [m], out of obstacles in which the point was at the start: part of its displacement
   // [m^2/s^2], kinetic energy per mass along the path. A correction that supports balance from the start is no motion, nor is its end a
   // loss.
@@ -44,6 +47,7 @@ class PointContactSolver {
   };
 
   bool resolve_penetration();
+  Vec3 held_acceleration(const Vec3& a) const;
   Supports find_supports(const Vec3& a, double duration) const;
   bool apply_velocity_correction(const Vec3& velocity_correction, const Supports& supports);
   Segment plan_segment(Supports& supports, const Vec3& a, double remaining, double friction_lag) const;
@@ -72,7 +76,8 @@ class PointContactSolver {
   double time_ = 0.0;              // [s], since the start of the step
   Vec3 velocity_correction_{0.0};  // [m/s], contained in v
   double velocity_lag_, friction_lag_;
-  bool applies_correction_ = false;  // whether v and the velocities of obstacles contain their corrections
+  const Obstacle* sticks_to_ = nullptr;  // the plane that holds the point after an impact
+  bool applies_correction_ = false;      // whether v and the velocities of obstacles contain their corrections
 };
 
 }  // namespace hooke

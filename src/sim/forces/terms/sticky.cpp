@@ -1,38 +1,35 @@
-// A point that touches a plane stays there until the sum of the other forces pulls it off with more than s [N].
-#include <glm/geometric.hpp>
+// A point that touches a plane stays there until the sum of the other forces pulls it off with more than s [N]. What is held is decided at
+// the start of a step, and remains so up to its end: the step ends where the first point is let go (sticking.h). So the force is continuous
+// within a step, whatever the stages of the method evaluate, and an event between two steps.
+#include <algorithm>
 
 #include "sim/forces/terms/rows.h"
-#include "sim/plan.h"
+#include "sim/forces/terms/sticking.h"
 
 namespace hooke {
 namespace {
 
 constexpr ForceParameter numbers[] = {{"strength", "Stickiness", "N", 0.0, 1000.0, 1.0}};
 
-// [m], the distance within which a point counts as touching: contact places resting points on the surface to round-off
-constexpr double contact_tolerance = 1e-9;
-
-void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, double* f) {
-  const std::size_t n = plan.points;
-  for (std::size_t k = 0; k < plan.colliders.size(); ++k) {
-    const auto* plane = std::get_if<Plane>(&plan.colliders[k].shape);
-    if (plane == nullptr) continue;
-    const double height = glm::dot(plane->normal, plane->point + plan.offset_of(k, time));
-    for (std::size_t i = 0; i < n; ++i) {
-      double distance = -height - plan.radius[i], pull = 0.0;
-      for (int c = 0; c < plan.dimensions; ++c) {
-        distance += plane->normal[c] * x[c * n + i];
-        pull += plane->normal[c] * f[c * n + i];
-      }
-      if (distance > contact_tolerance || pull <= 0.0 || pull > values[0]) continue;
-      for (int c = 0; c < plan.dimensions; ++c) f[c * n + i] -= pull * plane->normal[c];
-    }
+// What presses is left to contact, for its friction.
+void add(const Plan& plan, const ForceValues&, double time, const double*, const double*, double* f) {
+  const auto n = static_cast<std::size_t>(plan.points);
+  for (const StickyContact& contact : plan.sticky.held) {
+    const double pull = pull_on(plan, contact, time, f);
+    if (!(pull > 0.0)) continue;
+    const Vec3& normal = normal_of(plan, contact);
+    for (int c = 0; c < plan.dimensions; ++c) f[c * n + static_cast<std::size_t>(contact.point)] -= pull * normal[c];
   }
 }
 
-// The force projects the derivative of the other forces, whose eigenvalues do not grow by that; it has no derivative of its own and does no
-// work.
+// The force projects the derivative of the other forces, whose eigenvalues do not grow by that; it has no derivative of its own. What it
+// works on planes that move is that of the colliders (sticking.h).
 ForceBound bound(const System&, const Plan&, const ForceValues&, double) { return {}; }
+
+void prepare(const System& system, Plan& plan) {
+  for (const Force& force : system.forces)
+    if (force.on && force.term == &sticky_force) plan.sticky.strength = std::max(plan.sticky.strength, force.values[0]);
+}
 
 }  // namespace
 
@@ -48,6 +45,7 @@ constinit const ForceTerm sticky_force{
     .add_tangent = nullptr,
     .potential = nullptr,
     .power = nullptr,
+    .prepare = prepare,
 };
 
 }  // namespace hooke
