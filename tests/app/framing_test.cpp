@@ -36,7 +36,7 @@ TEST(ShippedScenes, StayInTheWindowWhileTheyMove) {
     const Scene& scene = lab.scene();
     Camera camera = make_scene_camera(scene.view, scene.system, scene.state, size.x / size.y);
     EXPECT_EQ(fraction_outside(camera, scene.system, scene.state, size), 0.0) << shipped.id << " at the start";
-    const long frames = std::lround(std::min(3.0, std::max(1.5, shipped.thumbnail_seconds)) * scene.settings.frame_rate);
+    const long frames = std::lround(1.5 * scene.settings.frame_rate);
     double worst = 0.0, when = 0.0;
     for (long frame = 0; frame < frames && lab.step() && scene.state.torn == 0; ++frame) {
       follow_scene(camera, scene.state);
