@@ -33,7 +33,8 @@ class RunMonitor {
   // `plan`: of `system` after the frame. `motion`: that of the frame, as it ended.
   void end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion);
 
-  // Edges that pass through faces, or springs of flat scenes through each other, now [s]; of the starts of frames the monitor knows.
+  // How many edges pass through faces, or springs of flat scenes through each other, at `time` [s]. Those at the starts of frames are known
+  // from `end_frame`; to be called at the end of the run.
   void note_crossings(long crossings, double time);
 
   long unconverged_solves() const { return unconverged_solves_; }

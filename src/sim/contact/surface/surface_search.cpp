@@ -78,9 +78,9 @@ void SurfaceSearch::begin_frame(const Plan& plan, std::span<const Vec3> x) {
   sides_.plan(surface);
   has_springs_ = std::ranges::find(surface.is_spring, 1) != surface.is_spring.end();
   left_out_.clear();
-  crossings_ = 0;
-  for (const Crossing& crossing : tree_.find_crossings(surface, x).found) {
-    ++crossings_;
+  const std::vector<Crossing> crossings = tree_.find_crossings(surface, x).found;
+  crossings_ = static_cast<long>(crossings.size());
+  for (const Crossing& crossing : crossings) {
     left_out_.resize(x.size(), LeftOut::Nothing);
     const LeftOut what = surface.is_spring[crossing.edge] != 0 ? LeftOut::Springs : LeftOut::All;
     for (const Index i : surface.edges[crossing.edge]) left_out_[i] = std::max(left_out_[i], what);
