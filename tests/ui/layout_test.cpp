@@ -33,7 +33,7 @@ std::set<std::string> outside() {
   return found;
 }
 
-// Heights of what the windows contain: of the last frame but one, as ImGui takes them over with the next frame.
+// [pixels], for each window the height of its contents that the frame made room for, and that of what it drew.
 std::vector<float> content_heights() {
   std::vector<float> heights;
   for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
