@@ -1,12 +1,13 @@
 # The physics calls no function of the C library whose last bit depends on the library or the processor, so that states have the same bits
-# everywhere: its archive refers to none of these. cmake -DNM=... -DARCHIVE=... -P portable_symbols.cmake
+# everywhere: its archives refer to none of these. cmake -DNM=... -DARCHIVES=a,b -P portable_symbols.cmake
 cmake_minimum_required(VERSION 3.25)
 set(inexact "c?(sin|cos|tan|asin|acos|atan|sinh|cosh|tanh|asinh|acosh|atanh|exp|log|pow|sqrt)f?l?|sincosf?|atan2f?|exp2f?|exp10|expm1f?|log2f?|log10f?|log1pf?|cbrtf?|hypotf?|cabs|carg|erfc?|[lt]gamma")
-execute_process(COMMAND ${NM} --undefined-only --format=just-symbols ${ARCHIVE} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+string(REPLACE "," ";" archives "${ARCHIVES}")
+execute_process(COMMAND ${NM} --undefined-only --format=just-symbols ${archives} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE "\n" ";" symbols "${output}")
 list(LENGTH symbols count)
 if(count LESS 100)
-  message(FATAL_ERROR "${ARCHIVE}: only ${count} symbols: nm did not list them")
+  message(FATAL_ERROR "${ARCHIVES}: only ${count} symbols: nm did not list them")
 endif()
 set(found "")
 foreach(symbol IN LISTS symbols)
@@ -17,5 +18,5 @@ foreach(symbol IN LISTS symbols)
 endforeach()
 list(REMOVE_DUPLICATES found)
 if(found)
-  message(FATAL_ERROR "${ARCHIVE} calls ${found}: use sim/portable_math.h")
+  message(FATAL_ERROR "The physics calls ${found}: use sim/model/portable_math.h")
 endif()

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "question.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/test_sim.h"
 
 namespace hooke {

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "question.h"
-#include "sim/energy.h"
-#include "sim/integrator.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/methods/integrator.h"
 #include "support/test_sim.h"
 
 namespace hooke {

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 
 #include "question.h"
-#include "sim/energy.h"
-#include "sim/integrator.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/methods/integrator.h"
 #include "support/test_sim.h"
 
 namespace hooke {

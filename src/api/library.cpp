@@ -13,7 +13,7 @@
 #include "edit/setting_text.h"
 #include "formats/open_file.h"
 #include "lab/lab.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 
 namespace hooke::v1 {
 namespace {

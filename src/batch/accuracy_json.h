@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/json_writer.h"
-#include "sim/accuracy.h"
+#include "sim/model/accuracy.h"
 
 namespace hooke {
 

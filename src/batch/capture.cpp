@@ -11,7 +11,7 @@
 #include "draw/view.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "lab/crossing_finder.h"
-#include "sim/automatic/automatic.h"
+#include "sim/step/automatic/automatic.h"
 #include "ui/panels/static_panels.h"
 
 namespace hooke {

@@ -8,8 +8,8 @@
 #include "batch/accuracy_json.h"
 #include "batch/output_folder.h"
 #include "batch/run_report.h"
-#include "sim/hash.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/model/hash.h"
 
 namespace hooke {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/printable.h"
 #include "batch/bench.h"
 #include "formats/scene_file.h"
-#include "sim/automatic/automatic.h"
+#include "sim/step/automatic/automatic.h"
 
 namespace hooke {
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <set>
 
-#include "sim/integrator.h"
-#include "sim/plan.h"
+#include "sim/methods/integrator.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 namespace {

@@ -9,8 +9,8 @@
 #include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/accuracy_json.h"
-#include "sim/automatic/automatic.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/automatic/automatic.h"
 
 namespace hooke {
 

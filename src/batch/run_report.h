@@ -12,7 +12,7 @@
 #include "formats/point_cache.h"
 #include "scene/quantity.h"
 #include "scene/scene.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 
 namespace hooke {
 

@@ -8,8 +8,8 @@
 #include "scene/parameters.h"
 #include "scene/step_limits.h"
 #include "scene/warnings/strain_limit_warning.h"
-#include "sim/automatic/automatic.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/automatic/automatic.h"
 #include "study/remedy/remedy.h"
 
 namespace hooke {

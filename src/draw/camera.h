@@ -5,7 +5,7 @@
 #include <glm/vec2.hpp>
 
 #include "scene/view_settings.h"
-#include "sim/snapshot.h"
+#include "sim/step/snapshot.h"
 
 namespace hooke {
 

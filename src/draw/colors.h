@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

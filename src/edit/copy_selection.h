@@ -6,7 +6,7 @@
 
 #include "edit/command.h"
 #include "scene/selection.h"
-#include "sim/snapshot.h"
+#include "sim/step/snapshot.h"
 
 namespace hooke {
 

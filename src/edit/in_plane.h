@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -6,7 +6,7 @@
 #include "edit/apply.h"
 #include "edit/text_form.h"
 #include "formats/texture.h"
-#include "sim/automatic/automatic.h"
+#include "sim/step/automatic/automatic.h"
 
 namespace hooke {
 namespace {

@@ -6,8 +6,8 @@
 #include "edit/apply.h"
 #include "scene/flatness.h"
 #include "scene/parameter_value.h"
-#include "sim/automatic/automatic.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/automatic/automatic.h"
 
 namespace hooke {
 

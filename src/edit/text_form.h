@@ -14,8 +14,9 @@
 #include "base/json_writer.h"
 #include "edit/field_names.h"
 #include "scene/parameters.h"
-#include "sim/automatic/leapfrog.h"
-#include "sim/integrator.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/automatic/leapfrog.h"
 
 namespace hooke {
 

@@ -5,7 +5,7 @@
 #include "base/file_limits.h"
 #include "base/json_text.h"
 #include "scene/quantity.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 namespace {

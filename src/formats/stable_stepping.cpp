@@ -5,8 +5,8 @@
 
 #include "base/file_limits.h"
 #include "scene/step_limits.h"
-#include "sim/integrator.h"
-#include "sim/plan.h"
+#include "sim/methods/integrator.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 

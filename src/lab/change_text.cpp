@@ -7,7 +7,7 @@
 #include "base/number_text.h"
 #include "base/overloaded.h"
 #include "scene/parameters.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/divergence.h"
-#include "sim/frame_error.h"
+#include "sim/step/divergence.h"
+#include "sim/step/frame_error.h"
 
 namespace hooke {
 namespace {

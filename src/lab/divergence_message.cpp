@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "base/number_text.h"
-#include "sim/implicit/supernodal_factor.h"
+#include "sim/methods/implicit/supernodal_factor.h"
 
 namespace hooke {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/divergence.h"
+#include "sim/step/divergence.h"
 
 namespace hooke {
 

@@ -20,7 +20,7 @@
 #include "lab/recorder.h"
 #include "lab/start.h"
 #include "lab/status.h"
-#include "sim/step.h"
+#include "sim/step/step.h"
 
 namespace hooke {
 

@@ -17,7 +17,7 @@
 #include "edit/resume_state.h"
 #include "formats/scene_file.h"
 #include "formats/texture.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 
 namespace hooke {
 namespace {

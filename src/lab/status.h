@@ -10,8 +10,8 @@
 #include "lab/companions.h"
 #include "lab/traces.h"
 #include "scene/scene.h"
-#include "sim/accuracy.h"
-#include "sim/snapshot.h"
+#include "sim/model/accuracy.h"
+#include "sim/step/snapshot.h"
 
 namespace hooke {
 

@@ -6,7 +6,7 @@
 #include <deque>
 #include <memory>
 
-#include "sim/state.h"
+#include "sim/model/state.h"
 
 namespace hooke {
 

@@ -7,7 +7,7 @@
 #include "base/file_limits.h"
 #include "edit/apply.h"
 #include "python/arrays.h"
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke::python {
 namespace {

@@ -8,7 +8,7 @@
 #include "lab/recording.h"
 #include "scene/flatness.h"
 #include "scene/parameters.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 
 namespace hooke::python {
 namespace {

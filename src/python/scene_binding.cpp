@@ -11,8 +11,8 @@
 #include "edit/apply.h"
 #include "formats/open_file.h"
 #include "scene/parameters.h"
-#include "sim/hash.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/model/hash.h"
 
 namespace hooke::python {
 namespace {

@@ -6,8 +6,8 @@
 #include "scene/parameters.h"
 #include "scene/quantity.h"
 #include "scene/shape.h"
-#include "sim/automatic/automatic.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/automatic/automatic.h"
 
 namespace hooke::python {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/forces/force_term.h"
+#include "sim/model/force_term.h"
 
 namespace hooke {
 namespace {

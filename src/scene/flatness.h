@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/state.h"
+#include "sim/model/state.h"
 
 namespace hooke {
 

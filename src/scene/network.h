@@ -7,7 +7,7 @@
 
 #include "base/lists/number_list.h"
 #include "scene/view_settings.h"
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/snapshot.h"
+#include "sim/step/snapshot.h"
 
 namespace hooke {
 

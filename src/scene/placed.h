@@ -1,7 +1,7 @@
 // Points, springs and faces with their indices in the lists of a scene, for insertion and restoration.
 #pragma once
 
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

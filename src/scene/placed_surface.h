@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "sim/contact/surface/surface_tree.h"
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/accuracy.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/model/accuracy.h"
 
 namespace hooke {
 

@@ -1,6 +1,6 @@
 #include "scene/scene.h"
 
-#include "sim/automatic/automatic.h"
+#include "sim/step/automatic/automatic.h"
 
 namespace hooke {
 

@@ -9,9 +9,9 @@
 #include "scene/placed.h"
 #include "scene/sheet_weights.h"
 #include "scene/view_settings.h"
-#include "sim/settings.h"
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/model/settings.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

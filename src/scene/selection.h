@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/lists/number_list.h"
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

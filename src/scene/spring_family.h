@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "base/json_field.h"
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

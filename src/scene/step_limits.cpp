@@ -8,8 +8,8 @@
 #include "base/bounds.h"
 #include "base/file_limits.h"
 #include "base/number_text.h"
-#include "sim/automatic/automatic.h"
-#include "sim/automatic/trials.h"
+#include "sim/step/automatic/automatic.h"
+#include "sim/step/automatic/trials.h"
 
 namespace hooke {
 namespace {

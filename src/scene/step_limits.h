@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "sim/forces/passage.h"
-#include "sim/integrator.h"
-#include "sim/settings.h"
-#include "sim/system.h"
+#include "sim/methods/integrator.h"
+#include "sim/methods/passage_step.h"
+#include "sim/model/settings.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -2,8 +2,8 @@
 // cannot express.
 #pragma once
 
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

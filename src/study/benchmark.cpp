@@ -6,7 +6,7 @@
 #include <ctime>
 #include <glm/geometric.hpp>
 
-#include "sim/divergence.h"
+#include "sim/step/divergence.h"
 
 namespace hooke {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/integrator.h"
-#include "sim/plan.h"
-#include "sim/step.h"
+#include "sim/methods/integrator.h"
+#include "sim/plan/plan.h"
+#include "sim/step/step.h"
 #include "study/problem.h"
 
 namespace hooke {

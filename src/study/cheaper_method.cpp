@@ -5,12 +5,12 @@
 
 #include "base/threads/thread_time.h"
 #include "scene/step_limits.h"
-#include "sim/automatic/automatic.h"
 #include "sim/contact/contact.h"
-#include "sim/divergence.h"
-#include "sim/frame_error.h"
-#include "sim/integrators/rows.h"
-#include "sim/step.h"
+#include "sim/methods/rows.h"
+#include "sim/step/automatic/automatic.h"
+#include "sim/step/divergence.h"
+#include "sim/step/frame_error.h"
+#include "sim/step/step.h"
 
 namespace hooke {
 namespace {

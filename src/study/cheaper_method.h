@@ -4,9 +4,9 @@
 #include <atomic>
 #include <optional>
 
-#include "sim/settings.h"
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/model/settings.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -6,8 +6,8 @@
 
 #include "lab/lab.h"
 #include "scene/quantity.h"
-#include "sim/automatic/automatic.h"
-#include "sim/divergence.h"
+#include "sim/step/automatic/automatic.h"
+#include "sim/step/divergence.h"
 #include "study/run_monitor.h"
 
 namespace hooke {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/progress.h"
-#include "sim/settings.h"
+#include "sim/model/settings.h"
 #include "study/work_precision.h"
 
 namespace hooke {

@@ -8,8 +8,8 @@
 #include "sim/contact/gap.h"
 #include "sim/contact/pair_solver.h"
 #include "sim/contact/surface/surface_tree.h"
-#include "sim/implicit/supernodal_factor.h"
-#include "sim/motion.h"
+#include "sim/forces/motion.h"
+#include "sim/methods/implicit/supernodal_factor.h"
 #include "sim/statics/equilibrium.h"
 
 namespace hooke {

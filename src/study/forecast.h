@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/state.h"
+#include "sim/model/state.h"
 #include "sim/statics/modes.h"
 
 namespace hooke {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "formats/scene_file.h"
-#include "sim/divergence.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
+#include "sim/step/divergence.h"
 #include "study/analytic_scenes.h"
 
 namespace hooke {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "sim/contact/contact.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 
 namespace hooke {
 namespace {

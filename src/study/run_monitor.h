@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "sim/forces/dashpots/dissipation_bound.h"
-#include "sim/motion.h"
-#include "sim/settings.h"
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/forces/motion.h"
+#include "sim/model/settings.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

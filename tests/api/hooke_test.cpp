@@ -8,7 +8,7 @@
 
 #include "formats/open_file.h"
 #include "lab/lab.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 
 namespace hooke {
 namespace {

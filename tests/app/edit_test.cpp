@@ -6,7 +6,7 @@
 
 #include "formats/scene_file.h"
 #include "scene/shape.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/gui_fixture.h"
 #include "support/test_sim.h"
 #include "ui/search_results.h"

@@ -6,7 +6,7 @@
 #include "campaign/check.h"
 #include "campaign/random_document.h"
 #include "lab/lab.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/valid_scene.h"
 
 namespace hooke {

@@ -24,12 +24,12 @@
 #include <vector>
 
 #include "formats/scene_file.h"
-#include "sim/automatic/automatic.h"
-#include "sim/divergence.h"
-#include "sim/hash.h"
-#include "sim/integrator.h"
-#include "sim/plan.h"
-#include "sim/step.h"
+#include "sim/methods/integrator.h"
+#include "sim/model/hash.h"
+#include "sim/plan/plan.h"
+#include "sim/step/automatic/automatic.h"
+#include "sim/step/divergence.h"
+#include "sim/step/step.h"
 
 namespace hooke {
 namespace {

@@ -10,7 +10,7 @@
 #include "campaign/check.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/valid_scene.h"
 
 namespace hooke {

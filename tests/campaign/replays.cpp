@@ -6,7 +6,7 @@
 #include "campaign/random_commands.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {

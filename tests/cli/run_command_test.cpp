@@ -5,7 +5,7 @@
 
 #include "formats/scene_file.h"
 #include "lab/lab.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 #include "support/contents.h"
 #include "support/headless.h"
 #include "support/scratch_folder.h"

@@ -8,8 +8,8 @@
 #include "edit/apply.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
-#include "sim/forces/force_term.h"
-#include "sim/integrator.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/integrator.h"
 #include "support/random_scene.h"
 
 namespace hooke {

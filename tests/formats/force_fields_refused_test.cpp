@@ -3,7 +3,7 @@
 
 #include "base/bounds.h"
 #include "formats/scene_file.h"
-#include "sim/forces/force_term.h"
+#include "sim/forces/force_terms.h"
 
 namespace hooke {
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/mat2x2.hpp>
 
 #include "formats/scene_file.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/parse_text.h"
 #include "support/test_sim.h"
 

@@ -9,10 +9,10 @@
 #include "formats/mesh/mesh_cloth.h"
 #include "formats/mesh/mesh_file.h"
 #include "formats/mesh/weld_vertices.h"
-#include "sim/divergence.h"
-#include "sim/energy.h"
-#include "sim/integrator.h"
-#include "sim/step.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/divergence.h"
+#include "sim/step/step.h"
 
 namespace hooke {
 namespace {

@@ -7,9 +7,10 @@
 #include <numbers>
 
 #include "formats/xsp/xsp_file.h"
-#include "sim/divergence.h"
-#include "sim/integrator.h"
-#include "sim/step.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/divergence.h"
+#include "sim/step/step.h"
 
 namespace hooke {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/file_limits.h"
 #include "base/printable.h"
 #include "formats/scene_file.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "formats/scene_file.h"
-#include "sim/contact/surface/surface_plan.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/plan/surface_plan.h"
 #include "support/parse_text.h"
 
 namespace hooke {

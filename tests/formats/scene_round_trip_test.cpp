@@ -10,7 +10,7 @@
 #include "base/bounds.h"
 #include "base/json_field.h"
 #include "formats/scene_file.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/parse_text.h"
 
 namespace hooke {

@@ -11,7 +11,8 @@
 
 #include "formats/scene_file.h"
 #include "lab/lab.h"
-#include "sim/integrator.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/integrator.h"
 #include "support/contents.h"
 #include "support/crossings.h"
 

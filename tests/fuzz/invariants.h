@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "formats/scene_file.h"
-#include "sim/integrator.h"
-#include "sim/plan.h"
+#include "sim/methods/integrator.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 

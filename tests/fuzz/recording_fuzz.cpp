@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "fuzz/recording_input.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 
 // Stepping takes most of the time, and readers need many inputs: one of 16 is stepped. The bytes alone choose it, so that findings can be
 // reproduced.

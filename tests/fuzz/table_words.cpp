@@ -5,7 +5,8 @@
 #include "edit/field_names.h"
 #include "scene/parameters.h"
 #include "scene/shape.h"
-#include "sim/integrator.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 namespace {

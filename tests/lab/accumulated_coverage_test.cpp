@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <optional>
 
-#include "sim/frame_error.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/frame_error.h"
 #include "support/force_with.h"
 #include "support/measured_lab.h"
 #include "support/random_scene.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "formats/scene_file.h"
-#include "sim/divergence.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/divergence.h"
 #include "support/force_with.h"
 #include "support/measured_lab.h"
 #include "support/nets.h"

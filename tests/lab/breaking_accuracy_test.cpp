@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/measured_lab.h"
 
 namespace hooke {

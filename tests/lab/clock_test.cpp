@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/parameters.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 #include "support/apply_now.h"
 #include "support/small_net.h"
 

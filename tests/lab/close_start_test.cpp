@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "support/measured_lab.h"
 #include "support/random_scene.h"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "scene/parameters.h"
-#include "sim/automatic/automatic.h"
-#include "sim/frame_error.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/automatic/automatic.h"
+#include "sim/step/frame_error.h"
 #include "support/run_lab.h"
 
 namespace hooke {

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "formats/scene_file.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
 #include "support/convergence.h"
 #include "support/measured_lab.h"
 #include "support/random_scene.h"

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "scene/step_limits.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/apply_now.h"
 #include "support/small_net.h"
 

@@ -5,8 +5,8 @@
 
 #include "lab/lab.h"
 #include "scene/parameters.h"
-#include "sim/hash.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/model/hash.h"
 #include "support/nets.h"
 #include "support/scratch_folder.h"
 

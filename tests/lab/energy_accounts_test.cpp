@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "lab/accuracy/energy_accounts.h"
-#include "sim/divergence.h"
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
+#include "sim/step/divergence.h"
 #include "support/accuracy_scenes.h"
 #include "support/flat_scene.h"
 #include "support/measured_lab.h"

@@ -5,7 +5,7 @@
 
 #include "base/threads/thread_team.h"
 #include "sim/forces/single_precision.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 #include "support/run_lab.h"
 
 namespace hooke {

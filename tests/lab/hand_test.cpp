@@ -8,7 +8,7 @@
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
-#include "sim/hand.h"
+#include "sim/model/grab.h"
 #include "support/apply_now.h"
 #include "support/run_lab.h"
 

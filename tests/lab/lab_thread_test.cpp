@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "scene/parameters.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 #include "support/sanitizer_slowdown.h"
 #include "support/test_sim.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/frame_error.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/frame_error.h"
 #include "support/measured_lab.h"
 
 namespace hooke {

@@ -14,8 +14,9 @@
 #include "lab/lab.h"
 #include "scene/parameters.h"
 #include "scene/shape.h"
-#include "sim/hash.h"
-#include "sim/integrator.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/integrator.h"
+#include "sim/model/hash.h"
 #include "support/apply_now.h"
 #include "support/command_text.h"
 #include "support/contents.h"
@@ -23,7 +24,6 @@
 
 namespace hooke {
 namespace {
-
 // One of every command, with a non-default value in every field.
 std::vector<Command> one_of_each() {
   const Point point{.id = PointId{7}, .nailed = true, .color = Color{1, 2, 3}, .mass = 0.1, .radius = 0.3};

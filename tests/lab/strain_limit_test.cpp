@@ -6,7 +6,7 @@
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/apply_now.h"
 #include "support/measured_lab.h"
 #include "support/run_lab.h"

@@ -6,7 +6,7 @@
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 #include "support/apply_now.h"
 #include "support/run_lab.h"
 

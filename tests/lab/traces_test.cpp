@@ -9,7 +9,7 @@
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "support/apply_now.h"
 #include "support/run_lab.h"
 

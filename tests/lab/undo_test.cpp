@@ -9,8 +9,9 @@
 
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
-#include "sim/hash.h"
-#include "sim/integrator.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/integrator.h"
+#include "sim/model/hash.h"
 #include "support/apply_now.h"
 #include "support/small_net.h"
 

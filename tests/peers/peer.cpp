@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "sim/plan.h"
-#include "sim/step.h"
+#include "sim/plan/plan.h"
+#include "sim/step/step.h"
 #include "study/benchmark.h"
 
 namespace hooke {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "study/problem.h"
 
 namespace hooke {

@@ -5,7 +5,7 @@
 
 #include "base/formatted.h"
 #include "formats/scene_file.h"
-#include "sim/divergence.h"
+#include "sim/step/divergence.h"
 #include "support/folds.h"
 
 namespace hooke {

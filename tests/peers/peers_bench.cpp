@@ -12,7 +12,7 @@
 #include "peers/peer.h"
 #include "peers/peer_problems.h"
 #include "peers/peer_sweep.h"
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 #include "study/gnuplot.h"
 #include "study/work_precision_chart.h"
 #include "study/work_precision_file.h"

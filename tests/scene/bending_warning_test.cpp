@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/forces/force_terms.h"
 #include "sim/forces/terms/rows.h"
 #include "support/test_sim.h"
 

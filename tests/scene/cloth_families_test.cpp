@@ -9,7 +9,7 @@
 #include "edit/apply.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "sim/forces/forces.h"
 #include "support/parse_text.h"
 #include "support/test_sim.h"

@@ -11,7 +11,7 @@
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/apply_now.h"
 #include "support/parse_text.h"
 #include "support/scratch_folder.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/step_limits.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/test_sim.h"
 
 namespace hooke {

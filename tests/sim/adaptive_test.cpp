@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/energy.h"
-#include "sim/integrators/rows.h"
-#include "sim/step.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/methods/rows.h"
+#include "sim/step/step.h"
 #include "support/convergence.h"
 #include "support/folds.h"
 #include "support/nets.h"

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "sim/forces/force_terms.h"
 #include "support/convergence.h"
 #include "support/nets.h"
 

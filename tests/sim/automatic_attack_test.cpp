@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "sim/divergence.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/step/divergence.h"
 #include "support/automatic_runs.h"
 #include "support/random_force_scene.h"
 

@@ -1,7 +1,7 @@
 // The method `auto` estimates the error anew as soon as the motion changes, and keeps to its budget.
 #include <gtest/gtest.h>
 
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 #include "support/accuracy_scenes.h"
 #include "support/automatic_runs.h"
 

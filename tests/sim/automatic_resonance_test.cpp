@@ -6,10 +6,10 @@
 #include <limits>
 #include <utility>
 
-#include "sim/automatic/resonance.h"
-#include "sim/energy.h"
-#include "sim/forces/force_term.h"
-#include "sim/integrators/rows.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/rows.h"
+#include "sim/step/automatic/resonance.h"
 #include "support/automatic_runs.h"
 #include "support/test_sim.h"
 

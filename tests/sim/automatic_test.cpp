@@ -1,5 +1,5 @@
 // The method `auto` keeps the tolerance, for little more than the cheapest method would cost, and says what it chose.
-#include "sim/automatic/automatic.h"
+#include "sim/step/automatic/automatic.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <map>
 #include <random>
 
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 #include "support/accuracy_scenes.h"
 #include "support/automatic_runs.h"
 #include "support/convergence.h"

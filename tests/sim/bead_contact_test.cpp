@@ -4,8 +4,8 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/pair_plan.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/plan/pair_plan.h"
 #include "support/convergence.h"
 #include "support/random_scene.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/divergence.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
+#include "sim/step/divergence.h"
 #include "support/bent_sheet.h"
 #include "support/convergence.h"
 

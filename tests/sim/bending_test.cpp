@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 
 #include "sim/forces/forces.h"
-#include "sim/forces/hinges.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
+#include "sim/plan/hinges.h"
 #include "support/bent_sheet.h"
 #include "support/random_scene.h"
 

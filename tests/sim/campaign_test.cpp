@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/divergence.h"
+#include "sim/step/divergence.h"
 #include "support/convergence.h"
 #include "support/random_force_scene.h"
 

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "support/convergence.h"
 #include "support/test_sim.h"
 

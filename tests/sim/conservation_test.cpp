@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "support/convergence.h"
 #include "support/nets.h"
 #include "support/random_scene.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "sim/forces/constraints.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/nets.h"
 #include "support/random_scene.h"
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "sim/forces/force_terms.h"
 #include "support/folds.h"
 #include "support/random_scene.h"
 

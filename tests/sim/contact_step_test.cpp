@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "support/convergence.h"
 #include "support/folds.h"
 #include "support/random_scene.h"

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "sim/contact/gap.h"
-#include "sim/divergence.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/step/divergence.h"
 #include "support/convergence.h"
 #include "support/random_scene.h"
 

@@ -3,8 +3,9 @@
 
 #include <cmath>
 
-#include "sim/divergence.h"
-#include "sim/integrators/rows.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/rows.h"
+#include "sim/step/divergence.h"
 #include "support/convergence.h"
 #include "support/test_sim.h"
 

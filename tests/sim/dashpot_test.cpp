@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/divergence.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/step/divergence.h"
 #include "support/convergence.h"
 #include "support/nets.h"
 

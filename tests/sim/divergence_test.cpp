@@ -4,7 +4,8 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "sim/divergence.h"
+#include "sim/forces/force_terms.h"
+#include "sim/step/divergence.h"
 #include "support/convergence.h"
 #include "support/nets.h"
 #include "support/random_scene.h"

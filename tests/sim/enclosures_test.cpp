@@ -1,5 +1,5 @@
 // Closed surfaces and lines, their volumes and what is not closed.
-#include "sim/forces/enclosures.h"
+#include "sim/plan/enclosures.h"
 
 #include <gtest/gtest.h>
 

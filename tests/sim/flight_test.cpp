@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/forces/force_terms.h"
 #include "sim/forces/terms/rows.h"
 #include "support/nets.h"
 #include "support/random_scene.h"

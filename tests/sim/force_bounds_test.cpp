@@ -4,9 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/divergence.h"
+#include "sim/forces/force_terms.h"
 #include "sim/forces/forces.h"
 #include "sim/forces/terms/rows.h"
+#include "sim/step/divergence.h"
 #include "support/convergence.h"
 #include "support/nets.h"
 #include "support/random_force_scene.h"

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/divergence.h"
-#include "sim/forces/force_term.h"
+#include "sim/forces/force_terms.h"
 #include "sim/forces/forces.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
+#include "sim/step/divergence.h"
 #include "support/test_sim.h"
 
 namespace hooke {

@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "sim/forces/spring_kernel.h"
 #include "support/random_scene.h"
 

@@ -1,5 +1,5 @@
 // The bound on the frequencies in a state: never below the highest frequency, and close to it for chains and nets.
-#include "sim/automatic/frequency_bound.h"
+#include "sim/step/automatic/frequency_bound.h"
 
 #include <gtest/gtest.h>
 

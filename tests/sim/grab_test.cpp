@@ -4,9 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/divergence.h"
-#include "sim/energy.h"
-#include "sim/hand.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/forces/hand.h"
+#include "sim/model/grab.h"
+#include "sim/step/divergence.h"
 #include "support/convergence.h"
 #include "support/test_sim.h"
 

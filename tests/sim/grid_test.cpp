@@ -1,6 +1,6 @@
 // Grids in the graph, and their kernels: the same forces as spring by spring to rounding, the same bits for every vector unit, and
 // flights that equal the steps they replace.
-#include "sim/grid.h"
+#include "sim/plan/grid.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <string>
 
-#include "sim/energy.h"
-#include "sim/implicit/newton.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/methods/implicit/newton.h"
 #include "support/nets.h"
 #include "support/random_scene.h"
 

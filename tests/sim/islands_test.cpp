@@ -1,5 +1,6 @@
 // Parts of a scene that do not affect each other have their own steps with the method `auto`.
-#include "sim/automatic/islands.h"
+#include "sim/step/automatic/islands.h"
+#include "sim/forces/force_terms.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +8,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/frame_error.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
+#include "sim/step/frame_error.h"
 #include "support/automatic_runs.h"
 #include "support/test_sim.h"
 

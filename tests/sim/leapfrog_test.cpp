@@ -1,10 +1,10 @@
 // The steps that `auto` takes where dashpots are weak.
-#include "sim/automatic/leapfrog.h"
+#include "sim/step/automatic/leapfrog.h"
 
 #include <gtest/gtest.h>
 
-#include "sim/automatic/trials.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/step/automatic/trials.h"
 #include "support/automatic_runs.h"
 #include "support/convergence.h"
 

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <initializer_list>
 
-#include "sim/divergence.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
+#include "sim/step/divergence.h"
 #include "support/random_scene.h"
 
 namespace hooke {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "sim/forces/terms/rows.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
 #include "support/convergence.h"
 #include "support/nets.h"
 

@@ -7,8 +7,8 @@
 
 #include "sim/contact/contact.h"
 #include "sim/contact/gap.h"
-#include "sim/divergence.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/step/divergence.h"
 #include "support/convergence.h"
 #include "support/test_sim.h"
 

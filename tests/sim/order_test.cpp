@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "sim/forces/terms/rows.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
 #include "support/convergence.h"
 #include "support/nets.h"
 

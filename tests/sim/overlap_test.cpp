@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "support/random_scene.h"
 
 namespace hooke {

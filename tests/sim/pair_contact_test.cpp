@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "support/convergence.h"
 #include "support/next_frame.h"
 #include "support/random_scene.h"

@@ -1,5 +1,5 @@
 // The Plan: its runs, its values, and its bounds on the fastest rates of the scene.
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "sim/motion.h"
+#include "sim/forces/motion.h"
 #include "support/random_scene.h"
 
 namespace hooke {

@@ -1,6 +1,6 @@
 // The order of points in which a scene is stepped: nets that are listed in any order become grids, and what is in order already, or small,
 // stays as it is.
-#include "sim/numbering/point_order.h"
+#include "sim/plan/numbering/point_order.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
-#include "sim/numbering/cuthill_mckee.h"
-#include "sim/numbering/spring_runs.h"
+#include "sim/plan/numbering/cuthill_mckee.h"
+#include "sim/plan/numbering/spring_runs.h"
 #include "support/shuffled.h"
 
 namespace hooke {

@@ -1,5 +1,5 @@
 // Elementary functions with the same bits on every machine, against the C library's in extended precision.
-#include "sim/portable_math.h"
+#include "sim/model/portable_math.h"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
-#include "sim/divergence.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/gas_leak.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
+#include "sim/step/divergence.h"
 #include "support/gas_bodies.h"
 #include "support/random_scene.h"
 

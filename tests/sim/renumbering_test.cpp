@@ -8,11 +8,12 @@
 #include <string>
 
 #include "base/threads/thread_team.h"
-#include "sim/divergence.h"
-#include "sim/energy.h"
-#include "sim/forces/hinges.h"
-#include "sim/frame_error.h"
-#include "sim/hash.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/forces/force_terms.h"
+#include "sim/model/hash.h"
+#include "sim/plan/hinges.h"
+#include "sim/step/divergence.h"
+#include "sim/step/frame_error.h"
 #include "support/automatic_runs.h"
 #include "support/convergence.h"
 #include "support/force_with.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/divergence.h"
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/forces.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
+#include "sim/step/divergence.h"
 #include "support/convergence.h"
 #include "support/folded_strip.h"
 #include "support/random_scene.h"

@@ -1,5 +1,6 @@
 // Steps in single precision are those in double precision up to their rounding.
 #include "sim/forces/single_precision.h"
+#include "sim/forces/force_terms.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -8,8 +9,9 @@
 
 #include "base/threads/thread_team.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/hash.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/precision.h"
+#include "sim/methods/rows.h"
+#include "sim/model/hash.h"
 #include "support/nets.h"
 
 namespace hooke {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/contact/gap.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "support/convergence.h"
 #include "support/test_sim.h"
 

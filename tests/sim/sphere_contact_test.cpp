@@ -3,8 +3,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/contact/surface/surface_plan.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/plan/surface_plan.h"
 #include "support/convergence.h"
 #include "support/folds.h"
 #include "support/margin_run.h"

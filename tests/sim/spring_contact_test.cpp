@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "support/convergence.h"
 #include "support/folds.h"
 

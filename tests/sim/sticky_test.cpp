@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/automatic/leapfrog.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
+#include "sim/step/automatic/leapfrog.h"
 #include "support/automatic_runs.h"
 #include "support/convergence.h"
 #include "support/test_sim.h"

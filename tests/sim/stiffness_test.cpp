@@ -1,5 +1,5 @@
 // The matrix of an implicit step and its solver, against finite differences of forces and dense linear algebra.
-#include "sim/implicit/stiffness.h"
+#include "sim/methods/implicit/stiffness.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "base/threads/thread_team.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 #include "support/folds.h"
 
 namespace hooke {

@@ -8,9 +8,10 @@
 
 #include "base/threads/thread_team.h"
 #include "sim/forces/bands.h"
+#include "sim/forces/force_terms.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/hash.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
+#include "sim/model/hash.h"
 #include "support/nets.h"
 
 namespace hooke {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
-#include "sim/energy.h"
-#include "sim/integrators/rows.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/methods/rows.h"
 #include "support/convergence.h"
 #include "support/nets.h"
 #include "support/next_frame.h"

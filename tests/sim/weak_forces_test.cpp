@@ -9,7 +9,7 @@
 
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
 #include "support/convergence.h"
 #include "support/nets.h"
 #include "support/next_frame.h"

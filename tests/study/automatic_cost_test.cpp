@@ -9,7 +9,7 @@
 #include <map>
 
 #include "base/read_file.h"
-#include "sim/automatic/cost_model.h"
+#include "sim/step/automatic/cost_model.h"
 #include "study/work_precision_file.h"
 #include "support/next_frame.h"
 #include "support/sanitizer_slowdown.h"

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 #include "sim/forces/forces.h"
 #include "support/bench_problem.h"
 #include "support/sanitizer_slowdown.h"

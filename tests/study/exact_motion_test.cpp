@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/frame_error.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/frame_error.h"
 #include "study/forecast.h"
 #include "support/nets.h"
 

@@ -8,7 +8,7 @@
 
 #include "lab/lab.h"
 #include "scene/parameters.h"
-#include "sim/forces/force_term.h"
+#include "sim/model/force_term.h"
 #include "study/hard_cases/test_network.h"
 #include "study/remedy/remedy.h"
 #include "support/apply_now.h"

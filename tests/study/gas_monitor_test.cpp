@@ -1,7 +1,7 @@
 // The run monitor does not warn about correct runs of bodies filled with gas.
 #include <gtest/gtest.h>
 
-#include "sim/divergence.h"
+#include "sim/step/divergence.h"
 #include "study/hard_cases/monitored_run.h"
 #include "support/convergence.h"
 #include "support/gas_bodies.h"

@@ -11,8 +11,8 @@
 #include <set>
 #include <sstream>
 
-#include "sim/automatic/automatic.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
+#include "sim/step/automatic/automatic.h"
 #include "study/analytic_scenes.h"
 #include "study/hard_cases/case_report.h"
 #include "study/hard_cases/monitored_run.h"

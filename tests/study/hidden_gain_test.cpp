@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 #include "study/benchmark.h"
 #include "study/hard_cases/monitored_run.h"
 #include "study/run_monitor.h"

@@ -2,8 +2,8 @@
 // of points and springs.
 #pragma once
 
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -7,9 +7,9 @@
 
 #include "lab/accuracy/accuracy_text.h"
 #include "scene/step_limits.h"
-#include "sim/automatic/automatic.h"
-#include "sim/energy.h"
-#include "sim/forces/passage.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/methods/passage_step.h"
+#include "sim/step/automatic/automatic.h"
 #include "study/hard_cases/monitored_run.h"
 #include "support/force_with.h"
 

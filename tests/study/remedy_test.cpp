@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "lab/lab.h"
-#include "sim/forces/force_term.h"
+#include "sim/model/force_term.h"
 #include "study/hard_cases/test_network.h"
 #include "study/remedy/trial_work.h"
 #include "study/run_monitor.h"

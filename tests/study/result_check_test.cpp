@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "formats/scene_file.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "study/forecast.h"
 #include "support/test_sim.h"
 

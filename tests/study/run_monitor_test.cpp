@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "lab/large_run.h"
-#include "sim/divergence.h"
-#include "sim/energy.h"
-#include "sim/forces/force_term.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/forces/force_terms.h"
+#include "sim/step/divergence.h"
 #include "study/benchmark.h"
 #include "study/hard_cases/monitored_run.h"
 #include "support/force_with.h"

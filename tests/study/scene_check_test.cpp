@@ -9,7 +9,7 @@
 
 #include "formats/scene_file.h"
 #include "scene/quantity.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 namespace {

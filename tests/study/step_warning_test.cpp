@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "scene/step_limits.h"
-#include "sim/divergence.h"
-#include "sim/forces/force_term.h"
+#include "sim/model/force_term.h"
+#include "sim/step/divergence.h"
 #include "study/hard_cases/monitored_run.h"
 #include "support/force_with.h"
 

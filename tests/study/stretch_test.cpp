@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/test_sim.h"
 
 namespace hooke {

@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/integrator.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/integrator.h"
 #include "support/folds.h"
 #include "support/nets.h"
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "sim/divergence.h"
+#include "sim/step/divergence.h"
 #include "study/analytic_scenes.h"
 #include "study/work_precision.h"
 #include "support/sanitizer_slowdown.h"

@@ -1,7 +1,7 @@
 // A strip that is built with folds, as its rest shape.
 #pragma once
 
-#include "sim/forces/hinges.h"
+#include "sim/plan/hinges.h"
 #include "support/bent_sheet.h"
 
 namespace hooke {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/forces/force_term.h"
+#include "sim/forces/force_terms.h"
 
 namespace hooke {
 

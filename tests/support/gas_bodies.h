@@ -8,8 +8,8 @@
 #include <map>
 #include <vector>
 
-#include "sim/forces/enclosures.h"
 #include "sim/forces/terms/rows.h"
+#include "sim/plan/enclosures.h"
 #include "support/test_sim.h"
 
 namespace hooke {

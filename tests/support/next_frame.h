@@ -1,7 +1,7 @@
 // One frame of a scene.
 #pragma once
 
-#include "sim/step.h"
+#include "sim/step/step.h"
 
 namespace hooke {
 

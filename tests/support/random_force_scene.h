@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/forces/force_term.h"
+#include "sim/forces/force_terms.h"
 #include "support/random_scene.h"
 
 namespace hooke {

@@ -1,9 +1,9 @@
 // A System with its State, built point by point and stepped without a laboratory: the test scene of the physics tests.
 #pragma once
 
-#include "sim/plan.h"
-#include "sim/step.h"
-#include "sim/system.h"
+#include "sim/model/system.h"
+#include "sim/plan/plan.h"
+#include "sim/step/step.h"
 
 namespace hooke {
 

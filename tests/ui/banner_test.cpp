@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/two_springs.h"
 
 namespace hooke {

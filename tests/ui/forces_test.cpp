@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "formats/scene_file.h"
+#include "sim/forces/force_terms.h"
 #include "sim/forces/terms/rows.h"
 #include "support/gui_fixture.h"
 

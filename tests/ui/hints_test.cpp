@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "study/forecast.h"
 #include "support/gui_sheets.h"
 #include "support/two_springs.h"

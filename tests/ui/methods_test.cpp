@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "scene/shape.h"
-#include "sim/forces/force_term.h"
-#include "sim/integrator.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/integrator.h"
 #include "support/two_springs.h"
 
 namespace hooke {

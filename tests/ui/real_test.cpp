@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "formats/scene_file.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "support/two_springs.h"
 
 namespace hooke {

@@ -10,7 +10,7 @@
 #include "formats/mesh/mesh_cloth.h"
 #include "formats/open_file.h"
 #include "scene/shape.h"
-#include "sim/forces/hinges.h"
+#include "sim/plan/hinges.h"
 
 namespace hooke {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/tools/collider_drag.h"
 #include "app/tools/tools.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 
 namespace hooke {
 namespace {

@@ -21,10 +21,10 @@
 #include "formats/lammps/lammps_dump.h"
 #include "formats/lammps/lammps_model.h"
 #include "lab/divergence_message.h"
-#include "sim/divergence.h"
-#include "sim/energy.h"
-#include "sim/hash.h"
-#include "sim/integrator.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/methods/integrator.h"
+#include "sim/model/hash.h"
+#include "sim/step/divergence.h"
 
 namespace hooke {
 namespace {

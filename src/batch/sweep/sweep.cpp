@@ -11,7 +11,7 @@
 #include "lab/lab.h"
 #include "scene/flatness.h"
 #include "scene/step_limits.h"
-#include "sim/hash.h"
+#include "sim/model/hash.h"
 
 namespace hooke {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 

@@ -15,9 +15,10 @@
 #include "cli/scene_options.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "lab/lab.h"
-#include "sim/automatic/automatic.h"
 #include "sim/forces/single_precision.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/methods/precision.h"
+#include "sim/step/automatic/automatic.h"
 
 namespace hooke {
 namespace {

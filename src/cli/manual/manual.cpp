@@ -7,8 +7,8 @@
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
-#include "sim/automatic/automatic.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/automatic/automatic.h"
 #include "ui/shortcuts.h"
 
 namespace hooke {

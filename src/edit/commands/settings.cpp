@@ -10,7 +10,7 @@
 #include "edit/in_plane.h"
 #include "formats/texture.h"
 #include "scene/parameters.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 namespace {

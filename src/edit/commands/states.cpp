@@ -6,7 +6,7 @@
 #include "edit/command.h"
 #include "edit/in_plane.h"
 #include "edit/tears.h"
-#include "sim/automatic/automatic.h"
+#include "sim/step/automatic/automatic.h"
 
 namespace hooke {
 namespace {

@@ -5,7 +5,7 @@
 #include "base/printable.h"
 #include "formats/file_kinds.h"
 #include "formats/lammps/lammps_model.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "base/bounds.h"
 #include "base/errors.h"
-#include "sim/integrator.h"
-#include "sim/portable_math.h"
+#include "sim/methods/integrator.h"
+#include "sim/model/portable_math.h"
 
 namespace hooke {
 namespace {

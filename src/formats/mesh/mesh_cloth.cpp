@@ -10,7 +10,7 @@
 #include "base/errors.h"
 #include "base/file_limits.h"
 #include "base/text_lines.h"
-#include "sim/forces/hinges.h"
+#include "sim/plan/hinges.h"
 
 namespace hooke {
 namespace {

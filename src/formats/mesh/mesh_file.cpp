@@ -12,7 +12,7 @@
 #include "formats/mesh/mesh_cloth.h"
 #include "formats/mesh/obj_text.h"
 #include "formats/stable_stepping.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 
 namespace hooke {
 namespace {

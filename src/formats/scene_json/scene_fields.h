@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/json_field.h"
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -17,7 +17,7 @@
 #include "scene/warnings/overlap_warning.h"
 #include "scene/warnings/pressure_warning.h"
 #include "scene/warnings/strain_limit_warning.h"
-#include "sim/forces/hinges.h"
+#include "sim/plan/hinges.h"
 
 namespace hooke {
 namespace {

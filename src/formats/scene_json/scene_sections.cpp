@@ -8,8 +8,9 @@
 #include "base/option_error.h"
 #include "formats/texture.h"
 #include "scene/parameters.h"
-#include "sim/automatic/automatic.h"
-#include "sim/integrator.h"
+#include "sim/forces/force_terms.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/automatic/automatic.h"
 
 namespace hooke {
 namespace {

@@ -13,8 +13,8 @@
 #include "formats/scene_json/listed_part.h"
 #include "scene/parameters.h"
 #include "scene/spring_family.h"
-#include "sim/forces/hinges.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
+#include "sim/plan/hinges.h"
 
 namespace hooke {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "lab/accuracy/accuracy_text.h"
-#include "sim/automatic/automatic.h"
 #include "sim/contact/contact.h"
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/step/automatic/automatic.h"
 
 namespace hooke {
 namespace {

@@ -8,7 +8,7 @@
 #include "lab/accuracy/energy_accounts.h"
 #include "lab/accuracy/frame_repetition.h"
 #include "lab/accuracy/second_runs.h"
-#include "sim/accuracy.h"
+#include "sim/model/accuracy.h"
 
 namespace hooke {
 

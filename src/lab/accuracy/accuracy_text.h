@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/accuracy.h"
-#include "sim/settings.h"
+#include "sim/model/accuracy.h"
+#include "sim/model/settings.h"
 
 namespace hooke {
 

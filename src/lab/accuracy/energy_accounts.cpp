@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 
 namespace hooke {
 namespace {

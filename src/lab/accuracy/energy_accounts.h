@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "sim/accuracy.h"
 #include "sim/forces/dashpots/dissipation_bound.h"
-#include "sim/motion.h"
-#include "sim/system.h"
+#include "sim/forces/motion.h"
+#include "sim/model/accuracy.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -1,6 +1,6 @@
 #include "lab/accuracy/frame_repetition.h"
 
-#include "sim/energy.h"
+#include "sim/forces/energy/energy.h"
 
 namespace hooke {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/divergence.h"
-#include "sim/frame_error.h"
+#include "sim/step/divergence.h"
+#include "sim/step/frame_error.h"
 
 namespace hooke {
 namespace {

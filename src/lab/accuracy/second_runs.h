@@ -8,7 +8,7 @@
 
 #include "lab/accuracy/growth.h"
 #include "lab/accuracy/shadow_run.h"
-#include "sim/frame_error.h"
+#include "sim/step/frame_error.h"
 
 namespace hooke {
 

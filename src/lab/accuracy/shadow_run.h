@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/step.h"
+#include "sim/step/step.h"
 
 namespace hooke {
 

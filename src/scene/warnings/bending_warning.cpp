@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "base/number_text.h"
-#include "sim/forces/hinges.h"
-#include "sim/forces/rest_faces.h"
 #include "sim/forces/terms/rows.h"
+#include "sim/plan/hinges.h"
+#include "sim/plan/rest_faces.h"
 
 namespace hooke {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

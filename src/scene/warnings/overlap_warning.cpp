@@ -10,7 +10,7 @@
 #include "scene/crossed_parts.h"
 #include "scene/placed_surface.h"
 #include "sim/contact/closest.h"
-#include "sim/contact/surface/surface_plan.h"
+#include "sim/plan/surface_plan.h"
 
 namespace hooke {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "sim/forces/enclosures.h"
 #include "sim/forces/terms/rows.h"
+#include "sim/plan/enclosures.h"
 
 namespace hooke {
 

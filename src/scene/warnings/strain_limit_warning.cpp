@@ -7,7 +7,7 @@
 namespace hooke {
 
 std::optional<std::string> strain_limit_warning(const System& system, const State& state) {
-  constexpr double min_excess = 1.01;  // of the length, from which on energy is not conserved (sim/spring_limits.cpp)
+  constexpr double min_excess = 1.01;  // of the length, from which on energy is not conserved (sim/forces/spring_limits.cpp)
   if (!(system.strain_limit > 0.0)) return std::nullopt;
   std::size_t count = 0, index = 0;
   std::string first;

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -1,7 +1,7 @@
 // How far all points are from all colliders, as one number.
 #pragma once
 
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 

@@ -10,9 +10,9 @@
 #include "sim/contact/point_contact.h"
 #include "sim/contact/rounding.h"
 #include "sim/forces/bands.h"
+#include "sim/forces/energy/plan_energy.h"
+#include "sim/forces/spring_limits.h"
 #include "sim/forces/terms/sticking.h"
-#include "sim/plan_energy.h"
-#include "sim/spring_limits.h"
 
 namespace hooke {
 namespace {
@@ -242,8 +242,6 @@ void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
 }
 
 }  // namespace
-
-bool has_contact(const System& system) { return system.contact.any() || std::ranges::any_of(system.colliders, &Collider::solid); }
 
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
   const auto n = static_cast<std::size_t>(plan.points);

@@ -4,17 +4,14 @@
 
 #include <vector>
 
+#include "sim/contact/damping_work.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_solver.h"
 #include "sim/contact/resting_kernel.h"
 #include "sim/contact/surface/surface_solver.h"
-#include "sim/forces/dashpots/damping_work.h"
-#include "sim/motion.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
-
-// Whether anything of the scene can touch: points each other, or a solid collider.
-bool has_contact(const System& system);
 
 // Positions and velocities before a substep, and the motion of the colliders during it; sized once per frame.
 struct ContactWorkspace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/plan_energy.h"
+#include "sim/forces/energy/plan_energy.h"
 
 namespace hooke {
 

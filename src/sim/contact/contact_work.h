@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/contact/obstacle.h"
-#include "sim/motion.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/system.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -7,7 +7,7 @@
 #include "sim/contact/contact_work.h"
 #include "sim/contact/pair_search.h"
 #include "sim/contact/touch_simulation.h"
-#include "sim/motion.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
 

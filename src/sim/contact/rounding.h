@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 

@@ -12,7 +12,7 @@
 
 #include <hwy/highway.h>
 
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {

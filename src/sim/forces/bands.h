@@ -6,7 +6,7 @@
 
 #include "base/threads/thread_team.h"
 #include "sim/forces/grid_rows.h"
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 

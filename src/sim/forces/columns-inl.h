@@ -11,7 +11,7 @@
 
 #include <hwy/highway.h>
 
-#include "sim/grid.h"
+#include "sim/plan/grid.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "sim/forces/motion.h"
 #include "sim/forces/sweep_runs.h"
-#include "sim/motion.h"
 
 namespace hooke {
 

@@ -9,8 +9,8 @@
 #include "sim/forces/grid_kernel.h"
 #include "sim/forces/single_precision.h"
 #include "sim/forces/spring_kernel.h"
-#include "sim/portable_math.h"
-#include "sim/spring_limits.h"
+#include "sim/forces/spring_limits.h"
+#include "sim/model/portable_math.h"
 
 namespace hooke {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/motion.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
 

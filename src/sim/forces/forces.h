@@ -2,7 +2,7 @@
 // of the vector units. Nested sets, because methods split them differently.
 #pragma once
 
-#include "sim/motion.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
 

@@ -1,10 +1,10 @@
-// Springs of grids (sim/grid.h), row by row in whole vectors, for the widest vector unit of the machine; the same bits on every
+// Springs of grids (sim/plan/grid.h), row by row in whole vectors, for the widest vector unit of the machine; the same bits on every
 // machine. Either their forces alone, or forces, kick and drift in one pass over the points.
 #pragma once
 
 #include <span>
 
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 

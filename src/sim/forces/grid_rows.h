@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "sim/grid.h"
+#include "sim/plan/grid.h"
 
 namespace hooke {
 

@@ -5,13 +5,12 @@
 #include <limits>
 
 #include "base/types.h"
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 
 struct Force;
-struct Integrator;
 
 // A point before its passage through a region of `force`.
 struct PassingPoint {
@@ -36,13 +35,10 @@ struct Passage {
   double energy = 0.0;        // [J/kg], of the motion far from there, which is little where a point falls deep
   double exponent = 3.0;      // [1], with which the error falls with the number of steps: 2 where the law has a kink
   bool at_plane = false;      // the point reaches a plane that attracts it; otherwise it passes a center
+
+  // [s], the longest step with which a method of this order gets the point through with an energy that is wrong by less than about a
+  // hundredth of that of its motion far from there. `dissipates`: a method of first order that damps fast motion.
+  double longest_step(int order, bool dissipates) const;
 };
-
-// The one that takes the shortest steps of all points that are not nailed, of those that may begin within so many seconds.
-Passage shortest_passage(const System& system, const State& state, double within = std::numeric_limits<double>::infinity());
-
-// [s], the longest step with which the method gets the point through with an energy that is wrong by less than about a hundredth of that of
-// its motion far from there. Infinity: there is no passage, or the method adapts its step.
-double longest_step(const Passage& passage, const Integrator& integrator);
 
 }  // namespace hooke

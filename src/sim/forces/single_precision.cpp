@@ -5,7 +5,6 @@
 #include "sim/forces/bands.h"
 #include "sim/forces/grid_kernel.h"
 #include "sim/forces/single_kernel.h"
-#include "sim/integrators/rows.h"
 
 namespace hooke {
 namespace {
@@ -25,19 +24,6 @@ void advance_alone(const SinglePass& pass, Index pitch, Index first, Index end, 
 }
 
 }  // namespace
-
-std::string needs_double_precision(const Plan& plan, const Settings& settings) {
-  if (settings.integrator != &velocity_verlet && settings.integrator != &symplectic_euler)
-    return "methods but velocity_verlet and symplectic_euler";
-  if (plan.has_dashpots()) return "springs with dashpots";
-  if (plan.grids.empty()) return "scenes of less than 256 springs, or without a grid";
-  if (!plan.loose_runs.empty()) return "springs that are not part of a grid";
-  if (plan.has_contact()) return "contact";
-  if (!plan.forces.empty()) return "listed forces";
-  if (!plan.break_length.empty() || !plan.max_length.empty()) return "breaking springs and the strain limit";
-  if (plan.held || plan.pull) return "a grab";
-  return {};
-}
 
 GridView<float>::CellNumbersOfEach SinglePrecision::Values::set(const std::array<Grid::Values, Grid::directions>& values, const Grid& grid,
                                                                 Index pitch) {

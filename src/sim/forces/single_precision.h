@@ -2,19 +2,14 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "sim/forces/grid_rows.h"
-#include "sim/motion.h"
-#include "sim/settings.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
 
 struct GridPass;
-
-// What of the scene or of its method is not computed in single precision, such as "springs with dashpots"; empty: nothing.
-std::string needs_double_precision(const Plan& plan, const Settings& settings);
 
 // Positions relative to the middle of the scene and velocities, each rounded to 24 bits: of 1 m, 6e-8 m. The state between calls has double
 // precision.

@@ -1,7 +1,7 @@
 // Spring forces, for the widest vector unit of the machine; the same bits on every machine.
 #pragma once
 
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 

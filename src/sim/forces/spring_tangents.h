@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 

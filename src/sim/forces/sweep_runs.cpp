@@ -1,6 +1,6 @@
 #include "sim/forces/sweep_runs.h"
 
-#include "sim/grid.h"
+#include "sim/plan/grid.h"
 
 namespace hooke {
 

@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "sim/implicit/stiffness.h"
+#include "sim/methods/implicit/stiffness.h"
 
 namespace hooke {
 

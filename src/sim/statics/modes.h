@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/implicit/stiffness.h"
+#include "sim/methods/implicit/stiffness.h"
 
 namespace hooke {
 

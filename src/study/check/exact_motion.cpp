@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "base/number_text.h"
-#include "sim/automatic/automatic.h"
 #include "sim/contact/contact.h"
-#include "sim/energy.h"
-#include "sim/integrator.h"
-#include "sim/motion.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/forces/motion.h"
+#include "sim/methods/integrator.h"
 #include "sim/statics/linear_motion.h"
+#include "sim/step/automatic/automatic.h"
 #include "study/forecast.h"
 
 namespace hooke {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim/divergence.h"
-#include "sim/grid.h"
-#include "sim/plan.h"
+#include "sim/plan/grid.h"
+#include "sim/plan/plan.h"
+#include "sim/step/divergence.h"
 
 namespace hooke {
 namespace {

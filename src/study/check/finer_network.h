@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

@@ -10,7 +10,7 @@
 
 #include "scene/quantity.h"
 #include "scene/step_limits.h"
-#include "sim/frame_error.h"
+#include "sim/step/frame_error.h"
 #include "study/check/copies.h"
 #include "study/check/finer_network.h"
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "sim/settings.h"
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/model/settings.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 #include "study/forecast.h"
 
 namespace hooke {

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "sim/energy.h"
-#include "sim/frame_error.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/step/frame_error.h"
 #include "study/check/copies.h"
 
 namespace hooke {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "sim/settings.h"
-#include "sim/state.h"
-#include "sim/system.h"
+#include "sim/model/settings.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

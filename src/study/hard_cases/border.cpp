@@ -6,9 +6,9 @@
 
 #include "base/errors.h"
 #include "formats/scene_file.h"
-#include "sim/divergence.h"
-#include "sim/hash.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
+#include "sim/model/hash.h"
+#include "sim/step/divergence.h"
 #include "study/analytic_scenes.h"
 #include "study/hard_cases/monitored_run.h"
 #include "study/hard_cases/rows.h"

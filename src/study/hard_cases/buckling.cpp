@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
 #include "study/analytic_scenes.h"
 #include "study/benchmark.h"
 #include "study/hard_cases/monitored_run.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "sim/forces/forces.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
 #include "study/hard_cases/monitored_run.h"
 #include "study/hard_cases/rows.h"
 

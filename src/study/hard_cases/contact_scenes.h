@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/settings.h"
+#include "sim/model/settings.h"
 #include "study/hard_cases/test_network.h"
 
 namespace hooke {

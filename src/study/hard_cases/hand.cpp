@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "scene/parameters.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
 #include "study/analytic_scenes.h"
 #include "study/hard_cases/monitored_run.h"
 #include "study/hard_cases/rows.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/table.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "scene/step_limits.h"
-#include "sim/divergence.h"
+#include "sim/step/divergence.h"
 
 namespace hooke {
 namespace {

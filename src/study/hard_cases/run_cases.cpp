@@ -7,7 +7,7 @@
 #include <exception>
 #include <thread>
 
-#include "sim/settings.h"
+#include "sim/model/settings.h"
 #include "study/hard_cases/monitored_run.h"
 
 namespace hooke {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "formats/scene_file.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/rows.h"
 #include "study/analytic_scenes.h"
 #include "study/hard_cases/monitored_run.h"
 #include "study/hard_cases/rows.h"

@@ -6,8 +6,8 @@
 
 #include "sim/contact/closest.h"
 #include "sim/contact/surface/surface_tree.h"
-#include "sim/energy.h"
-#include "sim/integrators/rows.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/methods/rows.h"
 #include "study/hard_cases/contact_scenes.h"
 #include "study/hard_cases/monitored_run.h"
 #include "study/hard_cases/rows.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/implicit/newton.h"
-#include "sim/integrators/rows.h"
+#include "sim/methods/implicit/newton.h"
+#include "sim/methods/rows.h"
 #include "study/analytic_scenes.h"
 #include "study/benchmark.h"
 #include "study/hard_cases/monitored_run.h"

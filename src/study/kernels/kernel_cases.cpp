@@ -14,8 +14,8 @@
 #include "base/threads/thread_team.h"
 #include "formats/scene_file.h"
 #include "sim/forces/single_precision.h"
-#include "sim/portable_math.h"
-#include "sim/step.h"
+#include "sim/model/portable_math.h"
+#include "sim/step/step.h"
 #include "study/benchmark.h"
 
 namespace hooke {

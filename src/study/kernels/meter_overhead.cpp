@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lab/lab.h"
-#include "sim/automatic/automatic.h"
-#include "sim/automatic/trials.h"
+#include "sim/step/automatic/automatic.h"
+#include "sim/step/automatic/trials.h"
 #include "study/benchmark.h"
 
 namespace hooke {

@@ -11,8 +11,8 @@
 #include "base/number_text.h"
 #include "edit/apply.h"
 #include "lab/lab.h"
-#include "sim/automatic/automatic.h"
 #include "sim/contact/contact.h"
+#include "sim/step/automatic/automatic.h"
 #include "study/remedy/trial_work.h"
 #include "study/run_monitor.h"
 

@@ -1,7 +1,7 @@
 // The work of stepping a copy of a scene, from counts: the same on every machine. A limit on it limits the time of a search.
 #pragma once
 
-#include "sim/step.h"
+#include "sim/step/step.h"
 
 namespace hooke {
 

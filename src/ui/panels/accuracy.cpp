@@ -7,7 +7,7 @@
 
 #include "lab/accuracy/accuracy_text.h"
 #include "scene/parameters.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "ui/docked_panel.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"

@@ -9,7 +9,7 @@
 
 #include "lab/accuracy/accuracy_text.h"
 #include "scene/parameters.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "study/work_precision_file.h"
 #include "ui/docked_panel.h"
 #include "ui/panels.h"

@@ -1,7 +1,7 @@
 // The forces of the scene, made from the rows of their table: each with a switch, parameters and a remove button, and a list to add one.
-#include "sim/forces/force_term.h"
+#include "sim/forces/force_terms.h"
 #include "sim/forces/terms/gas_leak.h"
-#include "sim/system.h"
+#include "sim/model/system.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
 #include "ui/panels/open_list.h"

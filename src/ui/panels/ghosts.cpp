@@ -8,7 +8,7 @@
 
 #include "base/file_limits.h"
 #include "lab/accuracy/accuracy_text.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "ui/docked_panel.h"
 #include "ui/panels.h"
 #include "ui/text.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "scene/parameters.h"
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "ui/panels.h"
 #include "ui/strain_legend.h"
 #include "ui/text.h"

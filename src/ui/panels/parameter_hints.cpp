@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/integrator.h"
+#include "sim/methods/integrator.h"
 #include "study/forecast.h"
 #include "ui/number_field.h"
 #include "ui/text.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/contact/surface/surface_plan.h"
+#include "sim/plan/surface_plan.h"
 
 namespace hooke {
 

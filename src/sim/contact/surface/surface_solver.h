@@ -4,10 +4,10 @@
 #include <memory>
 #include <span>
 
+#include "sim/contact/damping_work.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_search.h"
-#include "sim/forces/dashpots/damping_work.h"
-#include "sim/motion.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
 

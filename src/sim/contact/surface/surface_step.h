@@ -6,12 +6,12 @@
 
 #include "base/disjoint_sets.h"
 #include "sim/contact/contact_work.h"
+#include "sim/contact/damping_work.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_search.h"
 #include "sim/contact/surface/surface_response.h"
 #include "sim/contact/surface/surface_search.h"
-#include "sim/forces/dashpots/damping_work.h"
-#include "sim/motion.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
 

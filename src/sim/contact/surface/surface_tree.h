@@ -5,7 +5,7 @@
 
 #include "sim/contact/box_kernel.h"
 #include "sim/contact/closest.h"
-#include "sim/contact/surface/surface_plan.h"
+#include "sim/plan/surface_plan.h"
 
 namespace hooke {
 

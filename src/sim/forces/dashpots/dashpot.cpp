@@ -7,7 +7,7 @@
 #include "sim/forces/dashpots/dashpot.h"
 
 #include <span>
-#include "sim/portable_math.h"
+#include "sim/model/portable_math.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/forces/dashpots/dashpot.cpp"

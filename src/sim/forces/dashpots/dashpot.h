@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 

@@ -4,9 +4,9 @@
 #include <glm/geometric.hpp>
 
 #include "base/disjoint_sets.h"
-#include "sim/energy.h"
-#include "sim/plan_energy.h"
-#include "sim/spectrum_rows.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/forces/energy/plan_energy.h"
+#include "sim/plan/spectrum_rows.h"
 
 namespace hooke {
 namespace {

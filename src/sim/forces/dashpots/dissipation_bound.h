@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "sim/motion.h"
-#include "sim/system.h"
+#include "sim/forces/motion.h"
+#include "sim/model/system.h"
 
 namespace hooke {
 

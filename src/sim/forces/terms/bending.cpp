@@ -21,7 +21,7 @@
 
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 namespace {
@@ -380,6 +380,7 @@ ForceCost cost(const Plan&, const ForceValues& values) {
 
 constinit const ForceTerm bending_force{
     .id = "bending",
+    .rank = 1,
     .label = "Bending of faces",
     .description = "Resists bending between adjacent faces, which are flat at rest, or as built.",
     .numbers = numbers,

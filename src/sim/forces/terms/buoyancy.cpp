@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/forces/terms/rows.h"
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 namespace {
@@ -36,6 +36,7 @@ double potential(const Plan& plan, const ForceValues& values, double, const doub
 
 constinit const ForceTerm buoyancy_force{
     .id = "buoyancy",
+    .rank = 3,
     .label = "Buoyancy",
     .description = "A constant lift, as a fraction of the weight.",
     .numbers = numbers,

@@ -10,8 +10,8 @@
 #include "sim/forces/terms/center_kernel.h"
 #include "sim/forces/terms/power_law.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/plan.h"
-#include "sim/portable_math.h"
+#include "sim/model/portable_math.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 namespace {
@@ -169,6 +169,7 @@ Passage passage(const ForceValues& values, const PassingPoint& point) {
 
 constinit const ForceTerm center_force{
     .id = "center",
+    .rank = 4,
     .label = "Central attraction",
     .description = "Attracts every point to a center, with an acceleration that falls with a power of the distance.",
     .numbers = numbers,

@@ -1,7 +1,7 @@
 // A central attraction with a whole exponent on all points, by vectors.
 #pragma once
 
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 

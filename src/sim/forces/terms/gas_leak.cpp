@@ -1,7 +1,7 @@
 #include "sim/forces/terms/gas_leak.h"
 
 #include "sim/forces/terms/rows.h"
-#include "sim/portable_math.h"
+#include "sim/model/portable_math.h"
 
 namespace hooke {
 

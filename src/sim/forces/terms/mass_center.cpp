@@ -1,7 +1,7 @@
 // a = -(p X + q V) / M, the same for every point: X the center of mass relative to a target, V its velocity, M the total mass.
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 namespace {
@@ -81,6 +81,7 @@ double power(const Plan& plan, const ForceValues& values, double, const double*,
 
 constinit const ForceTerm mass_center_force{
     .id = "mass_center",
+    .rank = 5,
     .label = "Pull on center of mass",
     .description = "Accelerates all points equally so that their center of mass moves to a target.",
     .numbers = numbers,

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "sim/forces/force_term.h"
-#include "sim/portable_math.h"
+#include "sim/model/force_term.h"
+#include "sim/model/portable_math.h"
 
 namespace hooke {
 

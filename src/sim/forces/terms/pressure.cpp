@@ -14,8 +14,8 @@
 
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/plan.h"
-#include "sim/portable_math.h"
+#include "sim/model/portable_math.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 namespace {
@@ -166,6 +166,7 @@ ForceBound bound(const System& system, const Plan& prepared, const ForceValues& 
 
 constinit const ForceTerm pressure_force{
     .id = "pressure",
+    .rank = 2,
     .label = "Pressure of gas",
     .description = "Fills closed surfaces, in flat scenes closed lines, with gas.",
     .numbers = numbers,

@@ -1,7 +1,7 @@
 // Declarations of the force terms of list.inc. Each file of this folder defines one of them.
 #pragma once
 
-#include "sim/forces/force_term.h"
+#include "sim/model/force_term.h"
 
 namespace hooke {
 

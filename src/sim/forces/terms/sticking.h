@@ -1,7 +1,7 @@
 // Which points sticky planes hold (terms/sticky.cpp) during a step, and when they are let go.
 #pragma once
 
-#include "sim/motion.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
 

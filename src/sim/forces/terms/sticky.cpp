@@ -35,6 +35,7 @@ void prepare(const System& system, Plan& plan) {
 
 constinit const ForceTerm sticky_force{
     .id = "sticky",
+    .rank = 7,
     .label = "Sticky walls",
     .description = "Holds a point on a plane that it touches until a larger force pulls it off.",
     .numbers = numbers,

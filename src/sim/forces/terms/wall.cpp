@@ -8,9 +8,9 @@
 #include "sim/forces/passage.h"
 #include "sim/forces/terms/power_law.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/plan.h"
-#include "sim/portable_math.h"
-#include "sim/settings.h"
+#include "sim/model/portable_math.h"
+#include "sim/model/settings.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 namespace {
@@ -117,7 +117,7 @@ Passage passage(const ForceValues& values, const PassingPoint& point) {
     if (length == 0.0) continue;
     plane.normal /= length;
     const Passage fall = fall_onto(plane, collider.restitution, values, point);
-    if (const double longest = longest_step(fall, default_integrator()); longest < step) {
+    if (const double longest = fall.longest_step(2, false); longest < step) {
       step = longest;
       shortest = fall;
     }
@@ -129,6 +129,7 @@ Passage passage(const ForceValues& values, const PassingPoint& point) {
 
 constinit const ForceTerm wall_force{
     .id = "wall",
+    .rank = 6,
     .label = "Wall repulsion",
     .description = "Repels every point from every plane, with an acceleration that falls with a power of the distance.",
     .numbers = numbers,

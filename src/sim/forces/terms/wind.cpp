@@ -11,7 +11,7 @@
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/forces/terms/wind_kernel.h"
-#include "sim/plan.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 namespace {
@@ -246,6 +246,7 @@ ForceCost cost(const Plan& plan, const ForceValues&) {
 
 constinit const ForceTerm wind_force{
     .id = "wind",
+    .rank = 0,
     .label = "Wind",
     .description = "Moving air that exerts normal and tangential forces on the faces, with gusts.",
     .numbers = numbers,

@@ -1,0 +1,21 @@
+// Energies of a Motion, in the layout of the Plan.
+#pragma once
+
+#include "sim/forces/motion.h"
+
+namespace hooke {
+
+// [J], of springs and gravity, at the positions x.
+double stored_energy(const Plan& plan, const Field& x);
+
+// [J], the term of order h^2 by which the modified energy of velocity Verlet exceeds the energy, at the positions x and velocities v, for
+// forces that depend on positions alone:
+//   h^2 (v.V'' v / 12 - V'.M^-1 V' / 24)     (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, IX.3)
+// with V'' v from the forces at x + h v and x - h v.
+double verlet_energy_difference(const Plan& plan, double time, const Field& x, const Field& v, double h);
+
+// [J], bound on what drag and dashpots dissipate within a frame of `duration` [s], in a scene that was supplied with `supplied` [J] and
+// whose kinetic energy is at most `kinetic` [J] at the ends of the frame: within it, it is taken to be at most twice that, or `supplied`.
+double max_dissipation(const Spectrum& spectrum, double supplied, double kinetic, double duration);
+
+}  // namespace hooke

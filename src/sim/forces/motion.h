@@ -1,0 +1,141 @@
+// The State packed for stepping, in the layout of the Plan. It lives for one frame; integrators read and write it.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "sim/forces/dashpots/dashpot_sweeps.h"
+#include "sim/model/state.h"
+#include "sim/plan/plan.h"
+
+namespace hooke {
+
+// A spring that broke, and what its dashpot dissipated just before.
+struct BrokenSpring {
+  Index spring = 0;            // in the System
+  double time = 0.0;           // [s]
+  double dashpot_power = 0.0;  // [W]
+};
+
+struct Motion {
+  double time = 0.0;
+  Field x, v;  // positions [m] and velocities [m/s]
+  Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
+  // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
+  bool acceleration_is_current = false;
+  // Forces at x [N] that a method leaves at the end of its step for the start of the next one, if acceleration_is_current: all but the
+  // listed ones. Where they are Open, whoever computes the power of those adds them, at (x, v) and the time, so that they are Complete.
+  // External: gravity and the listed ones instead, as they acted at the end of the step, at x and a velocity near v.
+  enum class Forces { None, Unlisted, Open, Complete, External };
+  Field forces;
+  Forces contents = Forces::None;
+  // [W], of the listed forces, if External: times v, and times the velocity at which they were computed.
+  double power = 0.0, power_as_computed = 0.0;
+  // Where contact has moved points since they were current: the first of them, and the one after the last. Then `a` is still current at the
+  // points that no spring joins to these. Nowhere unless contact alone moved points, just after the step.
+  struct Moved {
+    Index first = 0, end = 0;
+  };
+  Moved moved;
+  MethodMemory memory;
+  // since the start of the frame
+  long force_evaluations = 0;
+  long factorizations = 0;
+  long solves = 0;              // linear systems solved with a factorization
+  long sweeps = 0;              // over all springs as constraints
+  long dashpot_sweeps = 0;      // over all dashpots
+  long limit_sweeps = 0;        // over all springs, to limit their strain
+  long unconverged_solves = 0;  // nonlinear systems that reached the iteration limit
+  // of contact of points, faces and springs with each other: pairs that were examined, on paths once for each distance, and impulses
+  // between two, those of each sweep
+  long contact_tests = 0, contact_impulses = 0;
+  // at the start of the frame: edges that pass through faces, in flat scenes springs through each other, of those that contact keeps apart
+  long crossings = 0;
+  // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
+  double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;
+  double limit_gain = 0.0;                      // [J], the part of limit_work that a strain limit cannot supply: an error
+  double contact_work = 0.0;                    // [J], of impacts and friction on colliders that do not move; negative: dissipated
+  double hand_work = 0.0, abs_hand_work = 0.0;  // [J], of the hand, and the sum of the magnitudes over the substeps
+  double force_work = 0.0;                      // [J], of the listed forces and moving air
+  double reversible_work = 0.0;                 // [J], the part of it that follows from potentials
+  // [J], by drag in air at rest and by dashpots, as far as measures_damping (forces/dashpots/damping_work.h)
+  double drag_work = 0.0, dashpot_work = 0.0;
+  bool measures_damping = false;
+  double local_error = 0.0;          // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
+  std::vector<BrokenSpring> breaks;  // in the order in which they broke
+};
+
+// What a method derives from the Plan's structure alone (an order of springs, a symbolic factorization). It outlives the frame
+// and remains valid until the structure changes.
+class Structure {
+ public:
+  explicit Structure(const Plan& plan)
+      : points_(plan.points),
+        dimensions_(plan.dimensions),
+        runs_(plan.runs),
+        hinge_begin_(plan.hinges.begin),
+        hinge_column_(plan.hinges.column),
+        enclosure_edges_(plan.enclosures.edges) {}
+  virtual ~Structure() = default;
+  bool fits(const Plan& plan) const {
+    return plan.points == points_ && plan.dimensions == dimensions_ && plan.runs == runs_ && plan.hinges.begin == hinge_begin_ &&
+           plan.hinges.column == hinge_column_ && plan.enclosures.edges == enclosure_edges_;
+  }
+
+ private:
+  Index points_;
+  int dimensions_;
+  std::vector<SpringRun> runs_;
+  std::vector<Index> hinge_begin_, hinge_column_;
+  std::vector<EdgeEnds> enclosure_edges_;
+};
+
+inline constexpr double default_tolerance = 1e-8;  // [m], of adaptive methods
+
+// Scratch memory of an integrator: sized and filled by its `prepare`; a step never allocates.
+struct Workspace {
+  std::vector<Field> fields;
+  std::optional<double> tolerance;  // [m], from the settings; none: default_tolerance
+  double min_step = 0.0;            // [s], the shortest step that an adaptive method takes
+  std::unique_ptr<Structure> structure;
+  DashpotSweeps dashpots;
+
+  // Provides `count` fields of the motion's size with unspecified contents; allocates only if there were fewer or smaller ones.
+  void size_fields(std::size_t count, const Motion& motion);
+};
+
+// The workspace's structure of this kind, created if there is none or its topology differs. For `prepare`.
+template <class Kind>
+Kind& make_structure(const Plan& plan, Workspace& work) {
+  auto* known = dynamic_cast<Kind*>(work.structure.get());
+  if (known != nullptr && known->fits(plan)) return *known;
+  auto made = std::make_unique<Kind>(plan);
+  Kind& kind = *made;
+  work.structure = std::move(made);
+  return kind;
+}
+
+// The one that `prepare` created. For `step`.
+template <class Kind>
+Kind& structure_of(Workspace& work) {
+  return static_cast<Kind&>(*work.structure);
+}
+
+// v = v e^(-c h) + a (1 - e^(-c h)) / c over `h` [s], a without drag: exact for constant a; v + h a when c = 0. A held
+// point keeps the hand's velocity.
+void kick(const Plan& plan, Motion& motion, double h);
+
+// The velocity that kick would give.
+void predict_velocity(const Plan& plan, const Motion& motion, double h, Field& v);
+
+// x = x + h v.
+void drift(Motion& motion, double h);
+
+// RMS of the vector lengths over the free points, of a field that is zero at the others.
+double root_mean_square(const Plan& plan, const Field& field);
+
+// [m], [m/s] of every point to the packed layout and back. Nailed and held points start with velocity zero.
+void pack(const Plan& plan, const State& state, Motion& motion);
+void unpack(const Plan& plan, const Motion& motion, State& state);
+
+}  // namespace hooke

@@ -1,0 +1,191 @@
+#include "sim/forces/spring_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/forces/energy/plan_energy.h"
+
+namespace hooke {
+namespace {
+
+double squared_length(const Plan& plan, const Field& x, Index first, Index second) {
+  double sum = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const double* at = x.data() + static_cast<std::size_t>(c) * plan.points;
+    sum += (at[first] - at[second]) * (at[first] - at[second]);
+  }
+  return sum;
+}
+
+// Whether any spring of the run has reached its limit. If none has, nothing else has to be computed.
+bool any_reaches_limit(const Plan& plan, const SpringRun& run, const std::vector<double>& limit, const Field& x) {
+  Index count = 0;
+  for (Index e = 0; e < run.count; ++e) {
+    const double max = limit[run.begin + e];
+    count += squared_length(plan, x, run.first + e, run.second + e) >= max * max ? 1 : 0;
+  }
+  return count > 0;
+}
+
+// [J], without the energy of the hand and the listed forces.
+double energy_of(const Plan& plan, const Motion& motion) {
+  double kinetic = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (Index i = 0; i < plan.points; ++i) {
+      const double v = motion.v[static_cast<std::size_t>(c) * plan.points + i];
+      if (plan.inverse_mass[i] != 0.0) kinetic += 0.5 * plan.mass[i] * v * v;
+    }
+  return kinetic + stored_energy(plan, motion.x);
+}
+
+// Of the length to the limit: a spring that is longer was not shortened before.
+constexpr double max_conserving_ratio = 1.01;
+
+// Moves the ends of one spring to the distance `max` and stops their separation. As the distance decreases, they rotate faster about their
+// common center, so that l times the transverse velocity is conserved and a swing loses nothing. This does not apply to a spring that is
+// far too long after a step that was too coarse, because the ends would be accelerated in every round.
+void limit_spring(const Plan& plan, Motion& motion, Index first, Index second, double length, double max) {
+  const double w1 = plan.inverse_mass[first], w2 = plan.inverse_mass[second];
+  if (w1 + w2 == 0.0) return;
+  double along[3] = {}, separation_speed = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
+    along[c] = (motion.x[at + second] - motion.x[at + first]) / length;
+    separation_speed += along[c] * (motion.v[at + second] - motion.v[at + first]);
+  }
+  const double correction = (length - max) / (w1 + w2), rotation_gain = length < max_conserving_ratio * max ? length / max - 1.0 : 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
+    const double across = motion.v[at + second] - motion.v[at + first] - separation_speed * along[c];
+    const double impulse = (std::max(0.0, separation_speed) * along[c] - rotation_gain * across) / (w1 + w2);
+    motion.x[at + first] += w1 * correction * along[c];
+    motion.x[at + second] -= w2 * correction * along[c];
+    motion.v[at + first] += w1 * impulse;
+    motion.v[at + second] -= w2 * impulse;
+  }
+}
+
+// One round over all springs. Returns whether any was too long.
+bool limit_all_springs(const Plan& plan, Motion& motion) {
+  constexpr double tolerance = 1e-9;  // of the length
+  bool any = false;
+  for (const SpringRun& run : plan.runs) {
+    if (!any_reaches_limit(plan, run, plan.max_length, motion.x)) continue;
+    for (Index e = 0; e < run.count; ++e) {
+      const double max = plan.max_length[run.begin + e];
+      const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
+      if (!(length > max * (1.0 + tolerance)) || !std::isfinite(length)) continue;
+      limit_spring(plan, motion, run.first + e, run.second + e, length, max);
+      any = true;
+    }
+  }
+  return any;
+}
+
+// Where springs cannot be as short as they must be, because nails, the hand or other springs keep their ends apart, forces would accelerate
+// points that the limit moves back again and again, and supply energy without end. The ends of such springs move together instead.
+void stop_overlong_springs(const Plan& plan, Motion& motion) {
+  const auto stop = [&](Index spring, Index first, Index second) {
+    const double length = std::sqrt(squared_length(plan, motion.x, first, second)), w1 = plan.inverse_mass[first],
+                 w2 = plan.inverse_mass[second];
+    if (!(length > max_conserving_ratio * plan.max_length[spring]) || !std::isfinite(length) || w1 + w2 == 0.0) return;
+    for (int c = 0; c < plan.dimensions; ++c) {
+      const std::size_t at = static_cast<std::size_t>(c) * plan.points;
+      const double impulse = (motion.v[at + second] - motion.v[at + first]) / (w1 + w2);
+      motion.v[at + first] += w1 * impulse;
+      motion.v[at + second] -= w2 * impulse;
+    }
+  };
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) stop(run.begin + e, run.first + e, run.second + e);
+  for (auto run = plan.runs.rbegin(); run != plan.runs.rend(); ++run)
+    for (Index e = run->count; e-- > 0;) stop(run->begin + e, run->first + e, run->second + e);
+}
+
+// [m/s], of the ends of a spring of this length, which is not 0.
+double separation_speed(const Plan& plan, const Motion& motion, Index first, Index second, double length) {
+  double speed = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
+    speed += (motion.x[at + second] - motion.x[at + first]) / length * (motion.v[at + second] - motion.v[at + first]);
+  }
+  return speed;
+}
+
+// [W], of a spring of this length.
+double dashpot_power(const Plan& plan, const Motion& motion, Index spring, Index first, Index second, double length) {
+  if (!plan.has_dashpots() || length == 0.0) return 0.0;
+  const double speed = separation_speed(plan, motion, first, second, length);
+  return plan.damping[spring] * speed * speed;
+}
+
+// A spring that is switched off carries no force and cannot break.
+bool carries_force(const Plan& plan, Index spring) {
+  return plan.stiffness[spring] != 0.0 || (plan.has_dashpots() && plan.damping[spring] > 0.0);
+}
+
+}  // namespace
+
+bool any_reaches_limit(const Plan& plan, const std::vector<SpringRun>& runs, const Field& x) {
+  for (const std::vector<double>* limit : {&plan.break_length, &plan.max_length})
+    if (!limit->empty() &&
+        std::any_of(runs.begin(), runs.end(), [&](const SpringRun& run) { return any_reaches_limit(plan, run, *limit, x); }))
+      return true;
+  return false;
+}
+
+double time_to_break(const Plan& plan, const Motion& motion) {
+  double min = std::numeric_limits<double>::infinity();
+  if (plan.break_length.empty()) return min;
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const double limit = plan.break_length[run.begin + e];
+      const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
+      if (!std::isfinite(limit) || !carries_force(plan, run.begin + e) || !(length < limit) || length == 0.0) continue;
+      const double speed = separation_speed(plan, motion, run.first + e, run.second + e, length);
+      if (speed > 0.0) min = std::min(min, (limit - length) / speed);
+    }
+  return min;
+}
+
+bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
+  const std::size_t before = broken.size();
+  for (const SpringRun& run : plan.runs) {
+    if (!any_reaches_limit(plan, run, plan.break_length, motion.x)) continue;
+    for (Index e = 0; e < run.count; ++e) {
+      const Index s = run.begin + e;
+      const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
+      if (!(length >= plan.break_length[s]) || !carries_force(plan, s)) continue;
+      motion.breaks.push_back({plan.spring_index[s], motion.time, dashpot_power(plan, motion, s, run.first + e, run.second + e, length)});
+      const double stretch = length - plan.rest_length[s];
+      motion.break_work -= 0.5 * plan.stiffness[s] * stretch * stretch;
+      plan.stiffness[s] = 0.0;
+      if (plan.has_dashpots()) plan.damping[s] = 0.0;
+      broken.push_back(plan.spring_index[s]);
+    }
+  }
+  std::sort(broken.begin(), broken.end());
+  if (broken.size() == before) return false;
+  refresh_grid_stiffness(plan);
+  return true;
+}
+
+bool limit_strain(const Plan& plan, Motion& motion) {
+  const auto is_too_long = [&](const SpringRun& run) { return any_reaches_limit(plan, run, plan.max_length, motion.x); };
+  if (std::none_of(plan.runs.begin(), plan.runs.end(), is_too_long)) return false;
+
+  constexpr int max_rounds = 16;
+  const double before = energy_of(plan, motion);
+  bool any = false, is_met = false;
+  for (int round = 0; round < max_rounds && !is_met; ++round) {
+    ++motion.limit_sweeps;
+    is_met = !limit_all_springs(plan, motion);
+    any = any || !is_met;
+  }
+  if (!is_met) stop_overlong_springs(plan, motion);
+  if (any) motion.limit_work += energy_of(plan, motion) - before;
+  return any;
+}
+
+}  // namespace hooke

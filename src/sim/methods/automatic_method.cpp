@@ -1,0 +1,33 @@
+#include "sim/methods/automatic_method.h"
+
+namespace hooke {
+namespace {
+
+constexpr Integrator automatic_row{
+    .id = "auto",
+    .label = "Automatic (by tolerance)",
+    .summary = "Chooses the cheapest method and the substeps that keep the error within a tolerance, and says which and why.",
+    .cost = "that of the chosen method, and of an estimate now and then",
+    .formula = "error of a frame <= tolerance / frame rate",
+    .source = "Step size control: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, section IV.2.",
+    .order = 2,
+    .order_drag = 2,
+    .order_damped = 2,
+    .order_contact = 1,
+    .order_friction = 1,
+    .order_force_terms = 1,
+    .stability = Stability::Adaptive,
+    .energy = EnergyTrend::Drifts,
+    .symplectic = false,
+    .implicit_solve = ImplicitSolve::None,
+    .implicit_force_terms = true,
+    .for_production = true,
+    .prepare = nullptr,
+    .amplification = nullptr,
+};
+
+}  // namespace
+
+const Integrator& automatic_method() { return automatic_row; }
+
+}  // namespace hooke

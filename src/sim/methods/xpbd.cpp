@@ -1,0 +1,112 @@
+// Springs as compliant constraints, one after another, once a step     (M. Macklin, M. Mueller, N. Chentanez, XPBD, MIG 2016;
+// one iteration and small steps: M. Macklin et al., Small Steps in Physics Simulation, SCA 2019)
+//   v = v E + phi g,  then for every spring:  v_i += w_i J u,  v_j -= w_j J u,   and x' = x + h v,
+//   J = -(phi k (l - l0) + phi d (v_i - v_j).u) / (1 + phi (h k + d)(w_i + w_j)),   l and u at x + h v,
+// E = e^(-c h), phi = (1 - E) / c (h when c = 0), w = 1 / m. With phi = h this is the paper's correction of positions
+// lambda = (-C - gamma grad C.(x - x_n)) / ((1 + gamma) w + alpha / h^2), alpha = 1 / k, gamma = d / (k h), times k h. Departures:
+// corrections go to the velocity, so that (x' - x) / h leaves no floor at small steps; phi in place of h gives drag its
+// exact decay and keeps equilibria where they are.
+// Each spring alone is damped as by implicit Euler; coupled springs converge only as far as one sweep reaches, so that long chains, or
+// chains of very different masses, are far too soft. The order of the springs decides whether the motion stays bounded: springs of one
+// color share no point and are processed along one direction of a grid after another.
+#include "sim/forces/bands.h"
+#include "sim/forces/constraints.h"
+#include "sim/forces/field_kernel.h"
+#include "sim/forces/forces.h"
+#include "sim/methods/rows.h"
+#include "sim/model/portable_math.h"
+
+namespace hooke {
+namespace {
+
+double drag_weight(double drag, double h) { return drag == 0.0 ? h : -portable::expm1(-drag * h) / drag; }
+
+void prepare(const Plan& plan, double h, const Motion&, Workspace& work) {
+  make_structure<Constraints>(plan, work).prepare(plan, h, drag_weight(plan.drag, h));
+}
+
+// The hand's spring has no rest length: all of its displacement is along it.
+void pull(const Plan& plan, Motion& motion, double h) {
+  const PlannedPull& hand = *plan.pull;
+  const double k = hand.stiffness, phi = drag_weight(plan.drag, h);
+  double w = 0.0;
+  for (const auto& [point, weight] : hand.points()) w += weight * weight * plan.inverse_mass[point];
+  const double stiffness = phi * k / (1.0 + phi * h * k * w);
+  const Vec3 target = hand.target_at(motion.time + h);
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
+    const double impulse = stiffness * (hand.interpolate(&motion.x[begin]) + h * hand.interpolate(&motion.v[begin]) - target[c]);
+    for (const auto& [point, weight] : hand.points()) motion.v[begin + point] -= plan.inverse_mass[point] * weight * impulse;
+  }
+}
+
+// to = to + h from, on the threads of the plan.
+void advance(const Plan& plan, const Field& from, double h, Field& to) {
+  constexpr Index min_points = 2000;  // some microseconds
+  for_parts(plan, plan.points, min_points, [&](int, Index first, Index end) {
+    for (int c = 0; c < plan.dimensions; ++c) {
+      const std::size_t at = static_cast<std::size_t>(c) * plan.points + first;
+      add_scaled(to.data() + at, h, from.data() + at, static_cast<std::size_t>(end - first));
+    }
+  });
+}
+
+void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
+  // gravity alone is constant
+  if (!motion.acceleration_is_current || !plan.forces.empty()) {
+    compute_external_forces(plan, motion.time, motion.x, motion.v, motion.a);
+    divide_by_mass(plan, motion.a);
+    motion.acceleration_is_current = true;
+  }
+
+  if (plan.drag == 0.0)
+    advance(plan, motion.a, h, motion.v);
+  else
+    kick(plan, motion, h);
+
+  structure_of<Constraints>(work).sweep(plan, h, motion.x, motion.v);
+  if (plan.pull) pull(plan, motion, h);
+  ++motion.sweeps;
+
+  advance(plan, motion.v, h, motion.x);
+}
+
+// x' = x + h v',  v' = ((E - phi q) v - phi omega^2 x) / (1 + phi (h omega^2 + lambda))
+Amplification amplification(const Oscillator& oscillator) {
+  const double phi = drag_weight(oscillator.h_drag, 1.0), decay = portable::exp(-oscillator.h_drag) - phi * oscillator.h_rate;
+  const double denominator = 1.0 + phi * (oscillator.h_omega_squared + oscillator.h_lambda);
+  return {.trace = 1.0 + (decay - phi * oscillator.h_omega_squared) / denominator, .determinant = decay / denominator};
+}
+
+}  // namespace
+
+constinit const Integrator xpbd{
+    .id = "xpbd",
+    .label = "XPBD, one iteration",
+    .summary = "Stiff cloth in real time with large errors: bounded at steps far beyond the explicit limit, and too soft there.",
+    .cost = "one sweep over the springs per step",
+    .formula =
+        "v = E v + phi g,   E = e^(-c h), phi = (1 - E) / c\n"
+        "for every spring:  J = -phi (k (l - l0) + d (v_i - v_j).u) / (1 + phi (h k + d)(w_i + w_j)),   l, u at x + h v, w = 1/m\n"
+        "                   v_i += w_i J u,  v_j -= w_j J u\n"
+        "x' = x + h v",
+    .source = "M. Macklin, M. Mueller, N. Chentanez, XPBD, MIG 2016; M. Macklin et al., Small Steps in Physics Simulation, SCA 2019",
+    .order = 1,
+    .order_drag = 1,
+    .order_damped = 1,
+    .order_contact = 1,
+    .order_friction = 1,
+    .order_force_terms = 1,
+    .stability = Stability::EachSpring,
+    .energy = EnergyTrend::Falls,
+    .symplectic = false,
+    .implicit_solve = ImplicitSolve::None,
+    .implicit_force_terms = false,
+    .for_production = true,
+    .velocity_lag = 0.5,
+    .prepare = prepare,
+    .step = step,
+    .amplification = amplification,
+};
+
+}  // namespace hooke

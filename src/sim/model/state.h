@@ -1,0 +1,95 @@
+// Everything that changes from step to step: nothing survives a step outside this list.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/model/system.h"
+
+namespace hooke {
+
+// The energy supplied so far; divergence.h compares the energy of the scene with it. [J]
+struct EnergyLedger {
+  double net_input = 0.0;     // energy at the start, plus the work of the hand, of forces and of edits
+  double scale = 0.0;         // sum of the magnitudes of these contributions
+  double hand_stretch = 0.0;  // elastic energy if each spring were stretched by the hand's longest displacement in a step so far
+  // Bounds on the motion supplied so far, used to bound how far it can lead: the maximum distance from the origin [m] and the maximum speed
+  // [m/s] at the start, after edits and of the hand. None: not recorded.
+  std::optional<double> extent{}, speed{};
+  // Work of forces with a potential since the start, and its minimum and maximum [J]. It comes and goes, as on an orbit: the scale contains
+  // its range and not the sum. None: 0.
+  std::optional<double> reversible{}, min_reversible{}, max_reversible{};
+  void add_reversible(double work);
+  bool operator==(const EnergyLedger&) const = default;
+};
+
+struct Integrator;
+
+// What the method `auto` (automatic/automatic.h) chose for a frame, and what it needs to choose for the next one.
+struct MethodChoice {
+  const Integrator* method = nullptr;
+  int substeps = 1;
+  int min_substeps = 1;                   // of the method, for stability and what must be resolved
+  bool resolves_collider = false;         // whether an oscillating collider determines that number
+  int period = 1, until_estimate = 0;     // [frames], between two estimates of the error, and until the next one
+  int interval = 1, until_selection = 0;  // [frames], between two comparisons of methods, and until the next one may be
+  int selected_substeps = 0;              // by the last comparison; 0: the scene was edited since
+  int next_substeps = 0;                  // of the next frame
+  int until_bound = 0;                    // [frames], until the frequencies are bounded again
+  double frequency = 1.0;                 // [1], bound on the frequencies in this state, relative to that for every deformation
+  double ratio = 0.0;                     // [1], of the last estimate of the error to the target; infinity: the frame diverged
+  bool breaks = false;                    // springs break in this frame
+  double target = 0.0;                    // [m], the error aimed at in a frame
+  double cost = 0.0;                      // [ms], of a frame by the model of the cost
+  double budget = 0.0;                    // [ms], for which it was chosen; 0: none
+  double rates = 0.0;                     // of the scene, as one number, to notice edits
+  double speed = 0.0;                     // [m/s], of the points and the hand at the start of the frame
+  double recent_speed = 0.0;              // [m/s], the same at its recent maximum
+  double recent_turning = 0.0;            // [1/s], how fast springs turned and stretched, at its recent maximum, at estimates
+  bool operator==(const MethodChoice&) const = default;
+};
+
+// Step size control of adaptive methods. Zero: not yet set.
+struct MethodMemory {
+  double step = 0.0;                     // [s], the next step
+  double error = 0.0;                    // [1], of its last step, relative to the tolerance
+  std::optional<MethodChoice> choice{};  // none: another method, or not yet made
+  std::vector<MethodChoice> islands{};   // of each group of parts that are stepped separately (automatic/islands.h); empty: as a whole
+  bool operator==(const MethodMemory&) const = default;
+};
+
+// A collider that the hand drags: its anchor moves to the target within the coming frame. Release writes its shape back to the System.
+struct CarriedCollider {
+  Index collider = no_index;
+  ColliderShape shape;  // where the hand has moved it, without its own path
+  Vec3 target{0.0};     // [m]
+  bool operator==(const CarriedCollider&) const = default;
+};
+
+// The hand of the user.
+struct Hand {
+  Vec3 position{0.0};  // [m], now; meaningful while the System has a grab
+  Vec3 target{0.0};    // [m], of the grabbed point at the end of the coming frame
+  std::optional<CarriedCollider> collider;
+  bool operator==(const Hand&) const = default;
+};
+
+struct State {
+  double time = 0.0;           // [s]
+  std::vector<Vec3> position;  // [m], one per point, in the order of the System
+  std::vector<Vec3> velocity;  // [m/s]
+  Hand hand;
+  EnergyLedger ledger;
+  MethodMemory memory;
+  std::uint32_t torn = 0;  // index of the latest tear; 0 means intact
+  bool operator==(const State&) const = default;
+};
+
+// A collider with the shape as moved by the hand, without its path; and with its path at the time of the State.
+Collider carried_collider(const System& system, const State& state, std::size_t collider);
+Collider current_collider(const System& system, const State& state, std::size_t collider);
+// All colliders with the carried one where the hand has it.
+std::vector<Collider> carried_colliders(const System& system, const State& state);
+
+}  // namespace hooke

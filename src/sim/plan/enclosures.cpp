@@ -1,0 +1,303 @@
+#include "sim/plan/enclosures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <span>
+
+#include "base/disjoint_sets.h"
+#include "sim/plan/plan.h"
+#include "sim/plan/rest_faces.h"
+
+namespace hooke {
+namespace {
+
+// Of closed lines, the longest of which is the outer one.
+bool add_line(const std::vector<EnclosureSide>& sides, EnclosurePlan& plan) {
+  DisjointSets sets(sides.size());
+  std::vector<std::pair<Index, Index>> ends;  // point, side
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    for (int a = 0; a < 2; ++a) ends.emplace_back(sides[s].points[a], static_cast<Index>(s));
+  std::ranges::sort(ends);
+  for (std::size_t e = 1; e < ends.size(); ++e)
+    if (ends[e].first == ends[e - 1].first) sets.join(ends[e].second, ends[e - 1].second);
+  std::vector<double> length(sides.size(), 0.0);
+  for (std::size_t s = 0; s < sides.size(); ++s) length[sets.root(static_cast<Index>(s))] += sides[s].size;
+  // A = l^2 / (4 pi), less those of the holes
+  double squares = 0.0, max = 0.0;
+  for (const double l : length) {
+    squares += l * l;
+    max = std::max(max, l * l);
+  }
+  const double area = (2.0 * max - squares) / (4.0 * std::numbers::pi);
+  if (!(area > 0.0)) return false;
+  const auto begin = static_cast<Index>(plan.sides.size());
+  plan.sides.insert(plan.sides.end(), sides.begin(), sides.end());
+  plan.enclosures.push_back({begin, static_cast<Index>(plan.sides.size()), area});
+  return true;
+}
+
+// The sets of faces that are connected by edges, in the order of their first faces.
+class ConnectedFaces {
+ public:
+  explicit ConnectedFaces(const System& system) : system_(system), lengths_(system) {
+    for (const Face& face : system.faces) faces_.push_back(rest_face(system, lengths_, face));
+    edges_ = sorted_edges(corners_of(faces_));
+    is_flipped_.resize(faces_.size());
+    connect();
+  }
+
+  void add_to(EnclosurePlan& plan) {
+    for (const std::vector<Index>& surface : surfaces_) {
+      const bool is_closed = system_.dimensions == 2 ? add_area(surface, plan) : add_volume(surface, plan);
+      plan.open += is_closed ? 0 : 1;
+    }
+  }
+
+ private:
+  template <class Use>
+  void for_each_edge(const Use& use) const {
+    for (auto first = edges_.begin(); first != edges_.end();) {
+      const auto last = std::find_if(first, edges_.end(), [&](const FaceEdge& edge) { return edge.ends != first->ends; });
+      use(std::span(first, last));
+      first = last;
+    }
+  }
+  // Whether the face, as oriented so far, runs along the edge from its second point to its first.
+  bool is_backward(const FaceEdge& edge) const {
+    return (faces_[edge.face].corners[(edge.corner + 1) % 3] != edge.ends[0]) != is_flipped_[edge.face];
+  }
+
+  // Finds the surfaces, and turns their faces so that two that share an edge run along it in opposite directions.
+  void connect() {
+    std::vector<std::array<const FaceEdge*, 6>> neighbors(faces_.size());  // pairs: own edge, that of the other face
+    is_bad_.assign(faces_.size(), false);
+    border_.assign(faces_.size(), {false, false, false});
+    DisjointSets sets(faces_.size());
+    for_each_edge([&](std::span<const FaceEdge> same) {
+      const FaceEdge &first = same.front(), &second = same.back();
+      for (const FaceEdge& edge : same) sets.join(first.face, edge.face);
+      if (same.size() == 1)
+        border_[first.face][first.corner] = true;
+      else if (same.size() > 2 || first.face == second.face)
+        is_bad_[first.face] = true;
+      else {
+        neighbors[first.face][2 * first.corner] = neighbors[second.face][2 * second.corner + 1] = &first;
+        neighbors[first.face][2 * first.corner + 1] = neighbors[second.face][2 * second.corner] = &second;
+      }
+    });
+
+    std::vector<Index> surface_of(faces_.size(), no_index);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const Index root = sets.root(static_cast<Index>(f));
+      if (surface_of[root] == no_index) {
+        surface_of[root] = static_cast<Index>(surfaces_.size());
+        surfaces_.emplace_back();
+      }
+      surfaces_[surface_of[root]].push_back(static_cast<Index>(f));
+    }
+
+    std::vector<bool> is_turned(faces_.size(), false);
+    std::vector<Index> stack;
+    for (std::size_t start = 0; start < faces_.size(); ++start) {
+      if (is_turned[start]) continue;
+      is_turned[start] = true;
+      stack.push_back(static_cast<Index>(start));
+      while (!stack.empty()) {
+        const Index f = stack.back();
+        stack.pop_back();
+        for (int c = 0; c < 3; ++c) {
+          const FaceEdge *own = neighbors[f][2 * c], *other = neighbors[f][2 * c + 1];
+          if (own == nullptr) continue;
+          const bool agrees = is_backward(*own) != is_backward(*other);
+          if (is_turned[other->face]) {
+            is_bad_[f] = is_bad_[f] || !agrees;
+            continue;
+          }
+          is_flipped_[other->face] = is_flipped_[other->face] != !agrees;
+          is_turned[other->face] = true;
+          stack.push_back(other->face);
+        }
+      }
+    }
+  }
+
+  bool is_bad(const std::vector<Index>& surface) const {
+    return std::ranges::any_of(surface, [&](Index f) { return is_bad_[f]; });
+  }
+
+  bool add_volume(const std::vector<Index>& surface, EnclosurePlan& plan) const {
+    double area = 0.0;
+    for (const Index f : surface) {
+      if (std::ranges::find(border_[f], true) != border_[f].end() || faces_[f].area == 0.0) return false;
+      area += faces_[f].area;
+    }
+    if (is_bad(surface)) return false;
+    const auto begin = static_cast<Index>(plan.sides.size());
+    for (const Index f : surface) {
+      const auto& l = faces_[f].length;
+      EnclosureSide side{.points = faces_[f].corners, .size = faces_[f].area};
+      for (int c = 0; c < 3; ++c) {
+        const double a = l[(c + 1) % 3], b = l[(c + 2) % 3];
+        side.median[c] = 0.5 * std::sqrt(std::max(0.0, 2.0 * a * a + 2.0 * b * b - l[c] * l[c]));
+      }
+      if (is_flipped_[f]) {
+        std::swap(side.points[1], side.points[2]);
+        std::swap(side.median[1], side.median[2]);
+      }
+      plan.sides.push_back(side);
+    }
+    // V = S^(3/2) / (6 sqrt(pi))
+    plan.enclosures.push_back({begin, static_cast<Index>(plan.sides.size()), area * std::sqrt(area / std::numbers::pi) / 6.0});
+    return true;
+  }
+
+  bool add_area(const std::vector<Index>& surface, EnclosurePlan& plan) const {
+    if (is_bad(surface)) return false;
+    std::vector<EnclosureSide> sides;
+    for (const Index f : surface)
+      for (int c = 0; c < 3; ++c) {
+        if (!border_[f][c]) continue;
+        Index i = faces_[f].corners[(c + 1) % 3], j = faces_[f].corners[(c + 2) % 3];
+        if (is_flipped_[f]) std::swap(i, j);
+        const double length = lengths_.between(i, j);
+        if (length == 0.0) return false;
+        sides.push_back({.points = {i, j, no_index}, .size = length});
+      }
+    return add_line(sides, plan);
+  }
+
+  const System& system_;
+  RestLengths lengths_;
+  std::vector<RestFace> faces_;
+  std::vector<FaceEdge> edges_;
+  std::vector<std::vector<Index>> surfaces_;  // of faces
+  std::vector<bool> is_flipped_, is_bad_;     // bad: shares an edge with more than one other face, or cannot be turned
+  std::vector<std::array<bool, 3>> border_;
+};
+
+// Springs without faces, where every point of a connected set has exactly two.
+void add_rings(const System& system, EnclosurePlan& plan) {
+  const auto points = static_cast<std::size_t>(system.point_count());
+  struct Links {
+    std::array<Index, 2> other{no_index, no_index};
+    std::array<double, 2> length{};
+    Index count = 0;
+  };
+  std::vector<Links> links(points);
+  std::vector<bool> is_ring(points, true);
+  for (const Face& face : system.faces)
+    for (const PointId id : face.points) is_ring[system.index_of(id)] = false;
+  DisjointSets sets(points);
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    sets.join(i, j);
+    for (const auto& [from, to] : {std::pair{i, j}, std::pair{j, i}}) {
+      Links& link = links[from];
+      if (link.count < 2) {
+        link.other[link.count] = to;
+        link.length[link.count] = spring.rest_length;
+      }
+      ++link.count;
+    }
+  }
+  for (std::size_t i = 0; i < points; ++i)
+    if (links[i].count != 2 || links[i].other[0] == links[i].other[1]) is_ring[i] = false;
+  for (std::size_t i = 0; i < points; ++i)
+    if (!is_ring[i]) is_ring[sets.root(static_cast<Index>(i))] = false;
+
+  for (std::size_t i = 0; i < points; ++i) {
+    const auto first = static_cast<Index>(i);
+    if (sets.root(first) != first || !is_ring[i]) continue;
+    std::vector<EnclosureSide> sides;
+    Index before = no_index, at = first;
+    do {
+      const int way = links[at].other[0] == before ? 1 : 0;
+      const Index next = links[at].other[way];
+      sides.push_back({.points = {at, next, no_index}, .size = links[at].length[way]});
+      before = at;
+      at = next;
+    } while (at != first);
+    add_line(sides, plan);
+  }
+}
+
+void find_edges(EnclosurePlan& plan, int dimensions) {
+  const auto ends_of = [&](const EnclosureSide& side, int c) {
+    return dimensions == 2 ? edge_ends(side.points[0], side.points[1]) : edge_ends(side.points[(c + 1) % 3], side.points[(c + 2) % 3]);
+  };
+  const int count = dimensions == 2 ? 1 : 3;
+  for (const EnclosureSide& side : plan.sides)
+    for (int c = 0; c < count; ++c) plan.edges.push_back(ends_of(side, c));
+  std::ranges::sort(plan.edges);
+  plan.edges.erase(std::unique(plan.edges.begin(), plan.edges.end()), plan.edges.end());
+  for (EnclosureSide& side : plan.sides)
+    for (int c = 0; c < count; ++c)
+      side.edge[c] = static_cast<Index>(std::ranges::lower_bound(plan.edges, ends_of(side, c)) - plan.edges.begin());
+}
+
+// A point near the enclosure, from which positions are measured: far from the origin the sums would lose digits.
+struct Origin {
+  double c[3];
+};
+Origin origin_of(const Plan& plan, const Enclosure& enclosure, const double* x) {
+  Origin origin{};
+  const Index at = plan.enclosures.sides[enclosure.begin].points[0];
+  for (int c = 0; c < plan.dimensions; ++c) origin.c[c] = x[static_cast<std::size_t>(c) * plan.points + at];
+  return origin;
+}
+Vec3 relative_position(const Plan& plan, const double* x, Index i, const Origin& origin) {
+  const std::size_t n = plan.points, k = i;
+  return {x[k] - origin.c[0], x[n + k] - origin.c[1], x[2 * n + k] - origin.c[2]};
+}
+
+}  // namespace
+
+EnclosurePlan plan_enclosures(const System& system) {
+  EnclosurePlan plan;
+  ConnectedFaces(system).add_to(plan);
+  if (system.dimensions == 2) add_rings(system, plan);
+  find_edges(plan, system.dimensions);
+  return plan;
+}
+
+// V = sum x_a.(x_b x x_c) / 6 of faces, A = sum (x_i y_j - x_j y_i) / 2 of edges
+double signed_volume(const Plan& plan, const Enclosure& enclosure, const double* x) {
+  const std::size_t n = plan.points;
+  const Origin origin = origin_of(plan, enclosure, x);
+  double sum = 0.0;
+  for (Index s = enclosure.begin; s < enclosure.end; ++s) {
+    const auto& [a, b, c] = plan.enclosures.sides[s].points;
+    if (plan.dimensions == 2)
+      sum += (x[a] - origin.c[0]) * (x[n + b] - origin.c[1]) - (x[b] - origin.c[0]) * (x[n + a] - origin.c[1]);
+    else
+      sum += glm::dot(relative_position(plan, x, a, origin),
+                      glm::cross(relative_position(plan, x, b, origin), relative_position(plan, x, c, origin)));
+  }
+  return sum / (plan.dimensions == 2 ? 2.0 : 6.0);
+}
+
+void add_volume_gradient(const Plan& plan, const Enclosure& enclosure, double scale, const double* x, double* f) {
+  const std::size_t n = plan.points;
+  const Origin origin = origin_of(plan, enclosure, x);
+  for (Index s = enclosure.begin; s < enclosure.end; ++s) {
+    const auto& points = plan.enclosures.sides[s].points;
+    if (plan.dimensions == 2) {
+      const std::size_t i = points[0], j = points[1];
+      f[i] += 0.5 * scale * (x[n + j] - origin.c[1]);
+      f[n + i] -= 0.5 * scale * (x[j] - origin.c[0]);
+      f[j] -= 0.5 * scale * (x[n + i] - origin.c[1]);
+      f[n + j] += 0.5 * scale * (x[i] - origin.c[0]);
+      continue;
+    }
+    std::array<Vec3, 3> p;
+    for (int a = 0; a < 3; ++a) p[a] = relative_position(plan, x, points[a], origin);
+    for (int a = 0; a < 3; ++a) {
+      const Vec3 normal = scale / 6.0 * glm::cross(p[(a + 1) % 3], p[(a + 2) % 3]);
+      for (int c = 0; c < 3; ++c) f[static_cast<std::size_t>(c) * n + static_cast<std::size_t>(points[a])] += normal[c];
+    }
+  }
+}
+
+}  // namespace hooke

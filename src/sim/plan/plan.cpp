@@ -1,0 +1,383 @@
+#include "sim/plan/plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+
+#include "sim/model/grab.h"
+#include "sim/model/portable_math.h"
+#include "sim/model/state.h"
+#include "sim/plan/numbering/point_order.h"
+#include "sim/plan/numbering/spring_runs.h"
+#include "sim/plan/spectrum_rows.h"
+
+namespace hooke {
+namespace {
+
+// Restricts a collider to points in the plane z = 0: spheres move into the plane, planes and boxes become perpendicular to it, and
+// all motion is within it. False if a plane is parallel to it: it is not a collider there.
+bool flatten(Collider& collider) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  ColliderPath& path = collider.path;
+  path.amplitude.z = path.belt.z = path.spin.x = path.spin.y = 0.0;
+  if (auto* plane = std::get_if<Plane>(&collider.shape)) {
+    plane->point.z = plane->normal.z = 0.0;
+    plane->normal /= std::max(glm::length(plane->normal), std::numeric_limits<double>::min());
+    return plane->normal != Vec3(0.0);
+  }
+  if (auto* sphere = std::get_if<Sphere>(&collider.shape)) sphere->center.z = 0.0;
+  if (auto* box = std::get_if<Box>(&collider.shape)) {
+    box->min.z = -infinity;
+    box->max.z = infinity;
+  }
+  return true;
+}
+
+void plan_colliders(Plan& plan, const System& system) {
+  plan.colliders.clear();
+  plan.collider_index.clear();
+  plan.colliders_move = false;
+  plan.resolving_step = std::numeric_limits<double>::infinity();
+  plan.grabbed_collider.reset();
+  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
+    Collider collider = system.colliders[c];
+    if (!collider.solid || (plan.dimensions == 2 && !flatten(collider))) continue;
+    plan.colliders_move = plan.colliders_move || collider.path.moves();
+    plan.resolving_step = std::min(plan.resolving_step, collider.path.resolving_step());
+    plan.colliders.push_back(collider);
+    plan.collider_index.push_back(static_cast<Index>(c));
+  }
+}
+
+// Moves the carried collider to its position under the hand, and towards its target during the coming frame.
+void plan_carried_collider(Plan& plan, const System& system, const State& state, double duration) {
+  const CarriedCollider& carried = *state.hand.collider;
+  const auto planned = std::ranges::find(plan.collider_index, carried.collider);
+  if (planned == plan.collider_index.end()) return;
+  const auto c = static_cast<std::size_t>(planned - plan.collider_index.begin());
+  plan.colliders[c] = carried_collider(system, state, static_cast<std::size_t>(carried.collider));
+  if (plan.dimensions == 2) flatten(plan.colliders[c]);
+  plan.colliders_move = true;
+
+  const Vec3 anchor = anchor_of(carried.shape);
+  Vec3 velocity = (clamp_hand_target(system, anchor, carried.target, duration) - anchor) / duration;
+  if (plan.dimensions == 2) velocity.z = 0.0;
+  plan.grabbed_collider = {.collider = c, .start = state.time, .velocity = velocity};
+}
+
+// The lengths at which springs break and those of the strain limit; empty if there are none.
+void plan_length_limits(Plan& plan, const System& system) {
+  plan.break_length.resize(system.any_spring_breaks() ? plan.springs : 0);
+  plan.max_length.resize(system.strain_limit > 0.0 ? plan.springs : 0);
+  for (Index s = 0; s < static_cast<Index>(plan.break_length.size()); ++s)
+    plan.break_length[s] = system.break_length_of(system.springs()[plan.spring_index[s]]);
+  // a spring that is switched off, or has no rest length, has no limit
+  for (Index s = 0; s < static_cast<Index>(plan.max_length.size()); ++s) {
+    const Spring& spring = system.springs()[plan.spring_index[s]];
+    const bool holds = system.is_on(spring) && spring.rest_length > 0.0;
+    plan.max_length[s] = holds ? spring.rest_length * (1.0 + system.strain_limit) : never_breaks;
+  }
+}
+
+// The forces that are on, and the faces if there are any such forces.
+void plan_forces(Plan& plan, const System& system) {
+  plan.forces.clear();
+  std::ranges::copy_if(system.forces, std::back_inserter(plan.forces), &Force::on);
+  std::ranges::stable_sort(plan.forces, {}, [](const Force& force) { return force.term->rank; });
+  plan.forces_depend_on_velocity = std::ranges::any_of(plan.forces, &Force::depends_on_velocity);
+
+  plan.faces.clear();
+  plan.face_rows.clear();
+  plan.hinges = {};
+  plan.enclosures = {};
+  plan.sticky.strength = 0.0;
+  if (plan.forces.empty()) return;
+  for (const Face& face : system.faces)
+    plan.faces.push_back({system.index_of(face.points[0]), system.index_of(face.points[1]), system.index_of(face.points[2])});
+  for (const Force& force : plan.forces)
+    if (force.term->prepare != nullptr) force.term->prepare(system, plan);
+}
+
+// `prepared` has the forces of the system.
+Spectrum bound_spectrum(const System& system, const Plan& prepared, double point_speed);
+
+// Of points of the System.
+PlannedPull plan_pull(const System& system, const Grab& grab) {
+  PlannedPull pull{.stiffness = grab.stiffness};
+  pull.parts[0].point = system.index_of(grab.point);
+  if (!grab.patch) return pull;
+  pull.count = 3;
+  for (std::size_t p = 0; p < 3; ++p) pull.parts[p] = {system.index_of(grab.patch->points[p]), grab.patch->weights[p]};
+  return pull;
+}
+
+// Releases the held point, and holds this one of the Plan.
+void set_held_point(Plan& plan, const System& system, std::optional<Index> number) {
+  const auto held_point = [&]() -> const Point& { return system.points()[plan.listed_index(*plan.held)]; };
+  if (plan.held) plan.inverse_mass[*plan.held] = held_point().nailed ? 0.0 : 1.0 / held_point().mass;
+  plan.held = number;
+  plan.held_springs.clear();
+  if (!plan.held) return;
+  plan.inverse_mass[*plan.held] = 0.0;
+  plan.held_mass = held_point().nailed ? 0.0 : held_point().mass;
+  for (const SpringRun& run : plan.runs)
+    for (const auto& [held_end, other_end] : {std::pair{run.first, run.second}, std::pair{run.second, run.first}})
+      if (const Index e = *plan.held - held_end; e >= 0 && e < run.count) plan.held_springs.push_back({run.begin + e, other_end + e});
+}
+
+// Contribution of the pull to the rows of the free points: K_ij = k w_i w_j I, w the weights.
+void add_pull_rows(const System& system, std::vector<double>& row) {
+  const PlannedPull pull = plan_pull(system, *system.grab);
+  for (const auto& [i, weight] : pull.points())
+    for (const auto& [j, other] : pull.points()) {
+      const Point &at = system.points()[i], &other_point = system.points()[j];
+      if (at.nailed || other_point.nailed) continue;
+      row[i] += pull.stiffness * weight * other / (i == j ? at.mass : std::sqrt(at.mass * other_point.mass));
+    }
+}
+
+}  // namespace
+
+namespace {
+
+// Numbers the points, and finds the runs of springs between them.
+void plan_runs(Plan& plan, const System& system, Numbering numbering) {
+  std::vector<EdgeEnds> ends = spring_ends(system);
+  if (numbering == Numbering::Fastest && plan.springs >= min_springs_of_grids) plan.point_index = choose_point_order(system, ends);
+  if (!plan.point_index.empty()) {
+    plan.point_number.resize(plan.point_index.size());
+    for (Index i = 0; i < plan.points; ++i) plan.point_number[plan.point_index[i]] = i;
+    for (auto& [first, second] : ends) first = plan.point_number[first], second = plan.point_number[second];
+  }
+  find_runs(ends, plan.runs, plan.spring_index);
+}
+
+}  // namespace
+
+Plan make_plan(const System& system, Numbering numbering) {
+  Plan plan;
+  plan.points = system.point_count();
+  plan.springs = system.spring_count();
+  plan_runs(plan, system, numbering);
+  if (plan.springs >= min_springs_of_grids)
+    plan.grids = find_grids(plan.runs, plan.points, plan.loose_runs);
+  else
+    plan.loose_runs = plan.runs;
+  refresh_values(plan, system);
+  return plan;
+}
+
+namespace {
+
+// The System with its points in the order of the Plan.
+System in_order_of(const Plan& plan, const System& system) {
+  std::vector<Point> points;
+  points.reserve(system.points().size());
+  for (const Index i : plan.point_index) points.push_back(system.points()[i]);
+  System ordered = system;
+  ordered.set_points(std::move(points));
+  return ordered;
+}
+
+// What refers to points by their numbers, and the bounds. `system` has its points in the order of the Plan if any of these lists is not
+// empty.
+void refresh_lists_of_points(Plan& plan, const System& system) {
+  plan.pairs = plan_pairs(system);
+  plan.surface = plan_surface(system);
+  plan_forces(plan, system);
+  plan.spectrum = bound_spectrum(system, plan, 0.0);
+}
+
+}  // namespace
+
+void refresh_values(Plan& plan, const System& system) {
+  plan.dimensions = system.dimensions;
+  plan.drag = system.drag_rate();
+  plan.gravity = system.gravity;
+  plan.acceleration = system.gravity + plan.drag * system.wind;
+
+  plan.held.reset();
+  plan.pull.reset();
+
+  plan.mass.resize(plan.points);
+  plan.inverse_mass.resize(plan.points);
+  for (Index i = 0; i < plan.points; ++i) {
+    const Point& point = system.points()[plan.listed_index(i)];
+    plan.mass[i] = point.mass;
+    plan.inverse_mass[i] = point.nailed ? 0.0 : 1.0 / point.mass;
+  }
+  if (system.grab && system.grab->kind == GrabKind::Hold)
+    set_held_point(plan, system, plan.number_of(system.index_of(system.grab->point)));
+  else
+    set_held_point(plan, system, std::nullopt);
+  if (system.grab && system.grab->kind == GrabKind::Pull) {
+    plan.pull = plan_pull(system, *system.grab);
+    for (int part = 0; part < plan.pull->count; ++part) plan.pull->parts[part].point = plan.number_of(plan.pull->parts[part].point);
+  }
+
+  plan.stiffness.resize(plan.springs);
+  plan.rest_length.resize(plan.springs);
+  bool damped = false;
+  for (Index s = 0; s < plan.springs; ++s) {
+    const Spring& spring = system.springs()[plan.spring_index[s]];
+    plan.stiffness[s] = system.stiffness_of(spring);
+    plan.rest_length[s] = spring.rest_length;
+    damped = damped || system.damping_of(spring) > 0.0;
+  }
+  plan.damping.resize(damped ? plan.springs : 0);
+  for (Index s = 0; s < static_cast<Index>(plan.damping.size()); ++s)
+    plan.damping[s] = system.damping_of(system.springs()[plan.spring_index[s]]);
+
+  plan_length_limits(plan, system);
+  refresh_grids(plan);
+  plan_colliders(plan, system);
+  const bool has_lists = system.contact.any() || std::ranges::any_of(system.forces, &Force::on);
+  if (has_lists && !plan.point_index.empty())
+    refresh_lists_of_points(plan, in_order_of(plan, system));
+  else
+    refresh_lists_of_points(plan, system);
+  plan.radius.clear();
+  if (plan.has_contact() || !plan.forces.empty())
+    for (Index i = 0; i < plan.points; ++i) plan.radius.push_back(system.points()[plan.listed_index(i)].radius);
+}
+
+void refresh_grids(Plan& plan) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  // what springs reach in a step or not is decided by their lengths; here it is enough to be sure that they do not
+  std::vector<double> limit;
+  if (!plan.break_length.empty() || !plan.max_length.empty()) limit.assign(plan.springs, infinity);
+  for (const std::vector<double>* lengths : {&plan.break_length, &plan.max_length})
+    for (Index s = 0; s < static_cast<Index>(lengths->size()); ++s)
+      limit[s] = std::min(limit[s], (*lengths)[s] * (*lengths)[s] * (1.0 - 1e-14));
+
+  for (Grid& grid : plan.grids) {
+    set_values(grid, plan.rest_length, 0.0, false, grid.rest_length);
+    for (auto* values : {&grid.damping, &grid.max_length_squared}) *values = {};
+    if (!limit.empty()) set_values(grid, limit, infinity, false, grid.max_length_squared);
+  }
+  refresh_grid_stiffness(plan);
+}
+
+void refresh_grid_stiffness(Plan& plan) {
+  const bool may_break = !plan.break_length.empty();
+  for (Grid& grid : plan.grids) {
+    set_values(grid, plan.stiffness, 0.0, may_break, grid.stiffness);
+    if (plan.has_dashpots()) set_values(grid, plan.damping, 0.0, may_break, grid.damping);
+  }
+}
+
+Vec3 clamp_hand_target(const System& system, const Vec3& from, const Vec3& target, double duration) {
+  const Vec3 displacement = target - from;
+  const double length = glm::length(displacement), max = system.hand_speed * duration;
+  return system.hand_speed > 0.0 && length > max ? from + max / length * displacement : target;
+}
+
+void prepare_hand(Plan& plan, const System& system, const State& state, double duration) {
+  // a scripted hand grabs and releases its point between frames
+  const std::optional<ActiveGrab> grab = active_grab(system, state, duration);
+  std::optional<Index> held;
+  if (grab && grab->kind == GrabKind::Hold) held = plan.number_of(system.index_of(grab->point));
+  if (plan.held != held) set_held_point(plan, system, held);
+
+  if (plan.pull) {
+    plan.pull->start = state.time;
+    const Vec3& from = state.hand.position;
+    plan.pull->from = from;
+    plan.pull->velocity = (clamp_hand_target(system, from, state.hand.target, duration) - from) / duration;
+  }
+  plan.grabbed_collider.reset();
+  if (state.hand.collider) plan_carried_collider(plan, system, state, duration);
+}
+
+namespace {
+
+// The maximum distance of the surface of a collider from the origin [m], and the speed of its surface [m/s].
+struct ColliderReach {
+  double distance = 0.0, speed = 0.0;
+};
+ColliderReach reach_of(const Collider& collider) {
+  ColliderReach reach{.distance = glm::length(anchor_of(collider)) + glm::length(collider.path.amplitude)};
+  double radius = 1.0;
+  if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) radius = sphere->radius;
+  if (const auto* box = std::get_if<Box>(&collider.shape)) radius = 0.5 * glm::length(box->max - box->min);
+  reach.distance += radius;
+  constexpr double two_pi = 6.283185307179586;
+  reach.speed = two_pi * collider.path.frequency * glm::length(collider.path.amplitude) + glm::length(collider.path.belt) +
+                radius * glm::length(collider.path.spin);
+  return reach;
+}
+
+}  // namespace
+
+double plausible_reach(const System& system, const Spectrum& spectrum, double extent, double speed, double time) {
+  constexpr double margin = 1000.0;
+  double acceleration = glm::length(system.gravity);
+  for (const Spring& spring : system.springs()) extent = std::max(extent, spring.rest_length);
+  for (const Collider& collider : system.colliders) {
+    if (!collider.solid) continue;
+    const ColliderReach reach = reach_of(collider);
+    extent = std::max(extent, reach.distance);
+    speed += reach.speed;
+  }
+  acceleration += spectrum.force_acceleration;
+  speed += glm::length(system.wind) + system.hand_speed + spectrum.force_speed + spectrum.omega * extent;
+  if (!std::isfinite(acceleration)) {
+    // A repulsion that increases with the distance leads away exponentially if its derivative is bounded. Otherwise it leads anywhere
+    // within a short time, and no method follows it there.
+    if (spectrum.is_bounded) return margin * (extent + time * speed) * portable::exp(spectrum.omega * time);
+    return std::max(1e9, 1e12 * (extent + time * speed));
+  }
+  return margin * (extent + time * (speed + time * acceleration));
+}
+
+Spectrum bound_spectrum(const System& system, double point_speed) {
+  Plan prepared;
+  plan_forces(prepared, system);
+  return bound_spectrum(system, prepared, point_speed);
+}
+
+namespace {
+
+Spectrum bound_spectrum(const System& system, const Plan& prepared, double point_speed) {
+  SpectrumRows rows = spectrum_rows(system);
+  double min_ratio = std::numeric_limits<double>::infinity();
+  for (const Spring& spring : system.springs()) {
+    const bool is_fixed = system.points()[system.index_of(spring.first)].nailed && system.points()[system.index_of(spring.second)].nailed;
+    const double stiffness = system.stiffness_of(spring);
+    if (!is_fixed && stiffness > 0.0) min_ratio = std::min(min_ratio, system.damping_of(spring) / stiffness);
+  }
+  if (system.grab && system.grab->kind == GrabKind::Pull) add_pull_rows(system, rows.stiffness);
+
+  Spectrum spectrum;
+  for (std::size_t i = 0; i < rows.stiffness.size(); ++i) {
+    spectrum.omega = std::max(spectrum.omega, rows.stiffness[i]);
+    spectrum.dashpot_rate = std::max(spectrum.dashpot_rate, rows.dashpot[i]);
+  }
+  // eigenvalues of a sum of symmetric matrices are at most the sum of theirs
+  double force_stiffness = 0.0, estimated_stiffness = 0.0, omitted_stiffness = 0.0;
+  for (const Force& force : prepared.forces) {
+    const ForceBound bound = force.term->bound(system, prepared, force.values, point_speed);
+    spectrum.force_acceleration += bound.acceleration;
+    spectrum.force_speed += bound.speed;
+    spectrum.is_bounded = spectrum.is_bounded && std::isfinite(bound.stiffness) && std::isfinite(bound.rate);
+    if (std::isfinite(bound.stiffness)) force_stiffness += bound.stiffness;
+    if (std::isfinite(bound.rate)) spectrum.force_rate += bound.rate;
+    estimated_stiffness += bound.estimated_stiffness;
+    spectrum.estimated_rate += bound.estimated_rate;
+    omitted_stiffness += bound.omitted_stiffness;
+  }
+  spectrum.estimated_omega = std::sqrt(estimated_stiffness);
+  spectrum.omitted_omega = std::sqrt(omitted_stiffness);
+  spectrum.force_omega = std::sqrt(force_stiffness);
+  spectrum.omega = std::sqrt(spectrum.omega + force_stiffness);
+  spectrum.drag_rate = system.drag_rate();
+  spectrum.contact = has_contact(system);
+  spectrum.points_touch = system.contact.points;
+  spectrum.min_dashpot_ratio = std::isfinite(min_ratio) ? min_ratio : 0.0;
+  return spectrum;
+}
+
+}  // namespace
+
+}  // namespace hooke

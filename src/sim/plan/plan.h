@@ -1,0 +1,215 @@
+// The System compiled for stepping: only what this scene needs, packed for the vector units. Its structure (which
+// springs join which points) is rebuilt on edits, its values are updated in place; neither happens inside a step.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/model/system.h"
+#include "sim/plan/enclosures.h"
+#include "sim/plan/execution.h"
+#include "sim/plan/grid.h"
+#include "sim/plan/hinges.h"
+#include "sim/plan/pair_plan.h"
+#include "sim/plan/surface_plan.h"
+
+namespace hooke {
+
+struct State;
+
+// One vector per point, component by component: component c of point i is at [c * points + i].
+using Field = std::vector<double>;
+
+// `count` consecutive springs that connect point first + e to point second + e, e = 0 .. count-1. A grid consists of a few long runs (one
+// for each row and direction), whose ends are read and written as whole vectors; any other graph consists of short runs. Spring e of the
+// run has the packed index begin + e.
+struct SpringRun {
+  Index begin = 0, first = 0, second = 0, count = 0;
+  bool operator==(const SpringRun&) const = default;
+};
+
+// The hand's spring, attached to a point or to the weighted mean of three; each takes its weight of the force. The other end moves
+// from `from` with `velocity` during the frame that starts at `start`.
+struct PlannedPull {
+  struct Part {
+    Index point = no_index;
+    double weight = 1.0;
+  };
+  std::array<Part, 3> parts{};
+  int count = 1;
+  double stiffness = 0.0;
+  double start = 0.0;  // [s]
+  Vec3 from{0.0}, velocity{0.0};
+  Vec3 target_at(double time) const { return from + (time - start) * velocity; }
+  std::span<const Part> points() const { return {parts.data(), static_cast<std::size_t>(count)}; }
+  // The weighted mean over the points of the component of a field that starts at x.
+  double interpolate(const double* x) const {
+    double sum = 0.0;
+    for (const Part& part : points()) sum += part.weight * x[part.point];
+    return sum;
+  }
+};
+
+// `cells` cells of two faces each, from the face `first` on,
+//   (i, j, i+1), (i+1, j, j+1)
+// with i and j one larger than in the cell before: as in a cloth.
+struct FaceRow {
+  Index first = 0, cells = 0;
+};
+
+// A spring on the held point.
+struct HeldSpring {
+  Index spring = 0;  // packed
+  Index other = 0;   // point at its other end
+};
+
+// The collider that the hand holds during the frame that starts at `start`: it moves with `velocity` in addition to its path.
+struct GrabbedCollider {
+  std::size_t collider = 0;  // of the plan's
+  double start = 0.0;        // [s]
+  Vec3 velocity{0.0};        // [m/s]
+};
+
+// Upper bounds on the fastest rates of the scene, for any deformation.
+struct Spectrum {
+  double omega = 0.0;              // [rad/s], highest undamped frequency, of springs, the hand's pull and listed forces
+  double dashpot_rate = 0.0;       // [1/s], highest rate of the dashpots
+  double force_omega = 0.0;        // [rad/s], highest frequency of the listed forces alone
+  double force_rate = 0.0;         // [1/s], highest rate of the listed forces that depend on velocity
+  bool is_bounded = true;          // false: there is a listed force without a bound, which is not counted
+  double drag_rate = 0.0;          // [1/s]
+  double min_dashpot_ratio = 0.0;  // [s], minimum of damping / stiffness over the springs
+  bool contact = false;            // whether there are solid colliders, or anything touches
+  bool points_touch = false;       // whether points touch each other
+  // Of the listed forces, for stability limits and the energy balance: estimates where there is no bound [rad/s], [1/s]; and the highest
+  // frequency of the derivatives that implicit methods leave out [rad/s].
+  double estimated_omega = 0.0, estimated_rate = 0.0, omitted_omega = 0.0;
+  double force_acceleration = 0.0, force_speed = 0.0;  // [m/s^2], [m/s], by which listed forces drive points (ForceBound)
+  bool operator==(const Spectrum&) const = default;
+};
+
+// A point that touches a plane.
+struct StickyContact {
+  Index point, collider;
+  bool operator==(const StickyContact&) const = default;
+};
+// Planes that hold points (forces/terms/sticky.cpp).
+struct StickyPlan {
+  double strength = 0.0;            // [N]; 0: none does
+  std::vector<StickyContact> held;  // during the step in progress (forces/terms/sticking.h)
+};
+
+struct Plan {
+  // Points have the numbers in which they are stepped fastest (numbering/point_order.h). Empty: those of the System.
+  std::vector<Index> point_index;   // of the planned point, in the System
+  std::vector<Index> point_number;  // of the System's point, in the Plan
+
+  Index points = 0;
+  Index springs = 0;
+  int dimensions = 3;
+
+  std::vector<double> mass;          // [kg], per point
+  std::vector<double> inverse_mass;  // [1/kg], per point; 0 if nailed or held
+  Vec3 gravity{0.0};                 // [m/s^2]
+  Vec3 acceleration{0.0};            // [m/s^2], of every point: gravity, and drag times wind
+  double drag = 0.0;                 // [1/s]
+
+  // Springs in the order of the runs.
+  std::vector<SpringRun> runs;
+  std::vector<double> stiffness, rest_length;
+  std::vector<double> damping;      // empty: no dashpots
+  std::vector<Index> spring_index;  // of the packed spring, in the System
+
+  // The same springs for force kernels: those of grids, and the runs of all others.
+  std::vector<Grid> grids;
+  std::vector<SpringRun> loose_runs;
+
+  std::vector<double> break_length;  // [m], of the packed spring, at which it breaks; empty: none breaks
+  std::vector<double> max_length;    // [m], of the strain limit; empty: no limit
+
+  std::vector<double> radius;         // [m], per point; empty: no contact and no listed forces
+  std::vector<Collider> colliders;    // the solid ones, at the start of their paths
+  std::vector<Index> collider_index;  // of the planned collider, in the System
+  bool colliders_move = false;        // along their paths or with the hand
+  // [s], the longest step that resolves the oscillations of the colliders; infinity: none oscillates
+  double resolving_step = std::numeric_limits<double>::infinity();
+  std::optional<GrabbedCollider> grabbed_collider;
+  PairPlan pairs;             // of points that touch
+  SurfacePlan surface;        // of faces and springs that touch
+  std::vector<Force> forces;  // those switched on, in the order of the table
+  StickyPlan sticky;
+  bool forces_depend_on_velocity = false;   // whether any of them does
+  std::vector<std::array<Index, 3>> faces;  // of points; empty without listed forces
+  std::vector<FaceRow> face_rows;           // in their order; empty without wind
+  HingePlan hinges;                         // empty without the bending force
+  EnclosurePlan enclosures;                 // empty without the pressure force
+  std::optional<PlannedPull> pull;
+  std::optional<Index> held;             // the point that the hand holds
+  double held_mass = 0.0;                // [kg], of it; 0 if it is a nail, which has no energy
+  std::vector<HeldSpring> held_springs;  // on it; empty without one
+
+  Spectrum spectrum;
+
+  Execution execution;  // set by whoever steps; a new plan is stepped by one thread in double precision
+
+  // From the index of a point in the System to that in the Plan, and back.
+  Index number_of(Index listed) const { return point_number.empty() ? listed : point_number[listed]; }
+  Index listed_index(Index number) const { return point_index.empty() ? number : point_index[number]; }
+
+  bool has_contact() const { return !colliders.empty() || touches_itself(); }
+  bool touches_itself() const { return pairs.on || surface.on; }
+  bool has_dashpots() const { return !damping.empty(); }
+
+  // Displacement of a collider from its rest position at a time, and its velocity.
+  Vec3 offset_of(std::size_t collider, double time) const {
+    const Vec3 offset = colliders[collider].path.offset(time);
+    return grabbed_collider && grabbed_collider->collider == collider
+               ? offset + (time - grabbed_collider->start) * grabbed_collider->velocity
+               : offset;
+  }
+  Vec3 velocity_of(std::size_t collider, double time) const {
+    const Vec3 velocity = colliders[collider].path.velocity(time);
+    return grabbed_collider && grabbed_collider->collider == collider ? velocity + grabbed_collider->velocity : velocity;
+  }
+};
+
+// The number of springs from which a scene is stepped in grids and flights (flight.h). In smaller scenes there is little time to save, and
+// recordings of earlier versions replay with the same bits.
+inline constexpr Index min_springs_of_grids = 256;
+
+enum class Numbering { Fastest, AsListed };
+
+// Compiles the structure and the values. O(springs log springs). AsListed: points have the numbers of the System, for diagnoses that use
+// both.
+Plan make_plan(const System& system, Numbering numbering = Numbering::Fastest);
+
+// Updates values (masses, nails, stiffness, damping, rest lengths, forces, colliders) after edits that did not change the lists of points
+// and springs. The hand is set by prepare_hand.
+void refresh_values(Plan& plan, const System& system);
+
+// Takes over the values of the packed springs into the grids.
+void refresh_grids(Plan& plan);
+// The same for stiffness and damping alone, after springs have broken. Allocates nothing.
+void refresh_grid_stiffness(Plan& plan);
+
+// The position of the hand, or of the anchor of the collider it carries, at the end of a frame of `duration` [s] that starts at `from`: the
+// target, or as close to it as System::hand_speed allows.
+Vec3 clamp_hand_target(const System& system, const Vec3& from, const Vec3& target, double duration);
+
+// Sets what the hand holds or carries and how it moves during the coming frame of `duration` [s]: in a straight line from
+// state.hand.position, or from the anchor of the carried collider, towards the target of the active grab (hand.h).
+void prepare_hand(Plan& plan, const System& system, const State& state, double duration);
+
+// An upper bound on the distance of a point from the origin [m] after `time` [s], if the scene started within `extent` [m] of it at a
+// maximum speed of `speed` [m/s]: moving at the initial speed, at that of the fastest oscillation, of the air and of the hand, and falling
+// all the time. Infinity if a force drives points away without limit. A generous bound that only an unstable run exceeds.
+double plausible_reach(const System& system, const Spectrum& spectrum, double extent, double speed, double time);
+
+// Gershgorin bounds on M^-1/2 K M^-1/2 by 3x3 blocks: omega^2 <= max_i sum_j k_ij (1/m_i + 1/sqrt(m_i m_j)), the second
+// term absent for a nailed j; the dashpots likewise. `point_speed` [m/s], of the fastest point: for estimates of listed forces.
+Spectrum bound_spectrum(const System& system, double point_speed = 0.0);
+
+}  // namespace hooke

@@ -1,0 +1,52 @@
+#include "sim/plan/rest_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace hooke {
+
+RestFace rest_face(const System& system, const RestLengths& lengths, const Face& face) {
+  RestFace rest;
+  for (int c = 0; c < 3; ++c) rest.corners[c] = system.index_of(face.points[c]);
+  auto& l = rest.length;
+  int missing = 0;
+  for (int c = 0; c < 3; ++c) {
+    l[c] = lengths.between(rest.corners[(c + 1) % 3], rest.corners[(c + 2) % 3]);
+    missing += l[c] == 0.0 ? 1 : 0;
+  }
+  if (missing > 1) return rest;
+  for (int c = 0; c < 3; ++c)
+    if (l[c] == 0.0) l[c] = std::sqrt(l[(c + 1) % 3] * l[(c + 1) % 3] + l[(c + 2) % 3] * l[(c + 2) % 3]);
+
+  // Heron's formula; below this height a face is degenerate
+  constexpr double min_relative_height = 1e-6;
+  const double s = 0.5 * (l[0] + l[1] + l[2]), square = s * (s - l[0]) * (s - l[1]) * (s - l[2]), max = std::max({l[0], l[1], l[2]});
+  const double area = square > 0.0 ? std::sqrt(square) : 0.0;
+  constexpr double min_area = 1e-200, max_area = 1e200;  // [m^2], of finite stiffness
+  if (!(2.0 * area > min_relative_height * max * max) || !(area > min_area) || !(area < max_area)) return rest;
+  rest.area = area;
+  for (int c = 0; c < 3; ++c) {
+    const double a = l[(c + 1) % 3], b = l[(c + 2) % 3];
+    rest.cotangent[c] = (a * a + b * b - l[c] * l[c]) / (4.0 * area);
+  }
+  return rest;
+}
+
+std::vector<FaceCorners> corners_of(const std::vector<RestFace>& faces) {
+  std::vector<FaceCorners> corners;
+  corners.reserve(faces.size());
+  for (const RestFace& face : faces) corners.push_back(face.corners);
+  return corners;
+}
+
+std::vector<FaceEdge> sorted_edges(std::span<const FaceCorners> faces) {
+  std::vector<FaceEdge> edges;
+  edges.reserve(3 * faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (int c = 0; c < 3; ++c) edges.push_back({edge_ends(faces[f][(c + 1) % 3], faces[f][(c + 2) % 3]), static_cast<Index>(f), c});
+  std::ranges::sort(edges, {}, [](const FaceEdge& edge) { return std::tuple(edge.ends, edge.face, edge.corner); });
+  return edges;
+}
+
+}  // namespace hooke

@@ -1,0 +1,61 @@
+// Contact of faces and springs, compiled for stepping: what touches, and what does not.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/model/rest_lengths.h"
+
+namespace hooke {
+
+// Indices of points refer to `points`, those of pieces, edges and corners to the lists below.
+struct SurfacePlan {
+  // A face, with the points and edges that no face before it has; or a spring that is not on a face, in the same way; or a sphere, a point
+  // on no spring or face, whose edge joins it to itself.
+  struct Piece {
+    std::array<Index, 3> points{};  // of a spring: the third is the first; of a sphere: all are the same
+    bool is_face = true;
+    bool is_sphere() const { return !is_face && points[0] == points[1]; }
+    Index first_edge = 0, end_edge = 0;      // of its own ones
+    Index first_corner = 0, end_corner = 0;  // of its own ones
+  };
+
+  bool on = false;
+  double friction = 0.0;          // [1]
+  double restitution = 0.0;       // [1]
+  std::vector<Index> points;      // of the scene, in ascending order
+  std::vector<double> thickness;  // [m], per point: features touch at the minimum over their points; infinite for spheres
+  std::vector<double> radius;     // [m], per point, of spheres, which touch at that in addition; 0 of others. Empty: there are no spheres
+  double max_thickness = 0.0;     // [m]
+  double edge_length = 0.0;       // [m], mean at rest, of springs on the edges; 0: there are none
+  std::vector<Piece> pieces;      // faces, then springs, then spheres
+  std::vector<EdgeEnds> edges;
+  std::vector<char> is_spring;  // per edge, whether it is on no face
+  std::vector<Index> corners;   // every point once
+  // Points joined by a spring no longer than the thickness, and those joined by any spring if springs touch; sorted.
+  std::vector<EdgeEnds> close, joined;
+
+  // Whether features with these points never touch: they share a point, or springs keep them close to each other.
+  bool excludes_face(Index point, std::span<const Index> face) const;
+  bool excludes_edge(Index edge, Index other) const;
+  bool is_sphere(Index edge) const { return edges[edge][0] == edges[edge][1]; }
+  // Of a pair of features with these points [m]. A sphere comes first.
+  double radius_of(const std::array<Index, 4>& pair) const { return radius.empty() ? 0.0 : radius[pair[0]]; }
+  double thickness_of(const std::array<Index, 4>& pair) const {
+    return std::min({thickness[pair[0]], thickness[pair[1]], thickness[pair[2]], thickness[pair[3]]});
+  }
+};
+
+SurfacePlan plan_surface(const System& system);
+
+// The thickness of a face or spring is at most this part of its smallest height or length at rest, so that it does not touch its
+// neighbors at rest.
+inline constexpr double max_relative_thickness = 0.5;
+// The same for the minimum, which keeps the thickness from vanishing.
+inline constexpr double min_relative_thickness = 0.05;
+// [m], of faces without springs.
+inline constexpr double min_thickness = 1e-3;
+
+}  // namespace hooke

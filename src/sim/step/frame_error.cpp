@@ -1,0 +1,163 @@
+#include "sim/step/frame_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "sim/contact/contact.h"
+#include "sim/methods/rows.h"
+#include "sim/model/portable_math.h"
+#include "sim/step/automatic/automatic.h"
+#include "sim/step/automatic/cost_model.h"
+#include "sim/step/automatic/trials.h"
+#include "sim/step/step.h"
+
+namespace hooke {
+namespace {
+
+bool has_surface_contact(const System& system) { return system.contact.faces || system.contact.springs; }
+
+// Whether something is done once per substep, whatever the tolerance of a method that adapts its step.
+bool acts_once_per_substep(const System& system) { return has_surface_contact(system) || system.strain_limit > 0.0; }
+
+}  // namespace
+
+int effective_order(const System& system, const Integrator& method) {
+  int order = method.order;
+  if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
+  if (std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; }))
+    order = std::min(order, method.order_damped);
+  if (std::ranges::any_of(system.forces, &Force::on)) order = std::min(order, method.order_force_terms);
+  if (has_contact(system)) order = std::min(order, method.order_contact);
+  if (has_surface_contact(system)) order = std::min(order, surface_contact_order);
+  return order;
+}
+
+Settings refined(const System& system, const Settings& settings) {
+  Settings fine = settings;
+  fine.locates_breaks = true;
+  if (is_automatic(settings)) {
+    fine.tolerance = 0.1 * automatic_tolerance(settings);
+    return fine;
+  }
+  if (settings.integrator->stability != Stability::Adaptive) {
+    fine.substeps *= 2;
+    for (IslandSteps& steps : fine.islands) steps.substeps *= 2;
+    return fine;
+  }
+  // a tolerance that is set applies to contact too, where a tighter one is expensive: friction is of first order. Contact of faces and
+  // springs is resolved once per step, which has to be halved: by its upper limit, or by this tolerance for a method of order 8; the strain
+  // limit is imposed once per substep
+  const bool halves = acts_once_per_substep(system);
+  if (halves) fine.substeps *= 2;
+  const double tighter = halves ? 1.0 / 256.0 : has_contact(system) ? 0.1 : 1e-3;
+  constexpr double min = 1e-15;
+  fine.tolerance = std::max(min, tighter * settings.tolerance.value_or(default_tolerance));
+  return fine;
+}
+
+double refinement_weight(const System& system, const Settings& settings) {
+  const bool adapts = settings.integrator->stability == Stability::Adaptive;
+  if (adapts && !acts_once_per_substep(system)) return 1.0;
+  constexpr int limit_order = 1;
+  int order = effective_order(system, *settings.integrator);
+  if (adapts && system.strain_limit > 0.0) order = limit_order;
+  for (const IslandSteps& steps : settings.islands) order = std::min(order, effective_order(system, *steps.integrator));
+  const double factor = std::ldexp(1.0, order);
+  return factor / (factor - 1.0);
+}
+
+namespace {
+
+// Dashpots that decay within a step of those that resolve the springs, with which the methods that split dashpots off would have a larger
+// error than that of the method: no repetition, or shorter steps.
+enum class FastDashpots { Excluded, Resolved };
+
+std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio, FastDashpots dashpots) {
+  const Integrator& method = *settings.integrator;
+  const bool dissipates = method.energy == EnergyTrend::Falls && method.stability != Stability::Adaptive && settings.islands.empty();
+  if (!dissipates) return std::nullopt;
+  const double h_omega = plan.spectrum.omega * settings.substep();
+  const Amplification fastest = method.amplification({.h_omega_squared = h_omega * h_omega});
+  constexpr double kept = 0.8;  // of the square of the amplitude of the fastest vibration, within a frame
+  if (portable::pow(std::max(fastest.determinant, 1e-300), settings.substeps) > kept) return std::nullopt;
+  constexpr double margin = 1.5;  // of the linear limit
+  constexpr double cheap = 2.0;   // [ms]
+  const CostModel model(plan);
+  const double max_cost = std::max(cheap, max_ratio * model.expected(method, settings.substeps));
+  for (const Integrator* each : {&blanes_moan4, &velocity_verlet}) {
+    const double substeps = margin * stable_substeps(*each, plan.spectrum, settings.frame_rate);
+    if (!(substeps <= max_automatic_substeps)) continue;
+    Settings fine = settings;
+    fine.integrator = each;
+    fine.locates_breaks = true;
+    fine.substeps = std::max(settings.substeps, static_cast<int>(substeps));
+    if (plan.spectrum.dashpot_rate * fine.substep() > 1.0) {
+      if (dashpots == FastDashpots::Excluded) continue;
+      constexpr double max_decay = 0.25;  // of a dashpot, in a step that resolves it
+      const double resolved = plan.spectrum.dashpot_rate / (max_decay * settings.frame_rate);
+      if (!(resolved <= max_automatic_substeps)) continue;
+      fine.substeps = static_cast<int>(resolved);
+    }
+    if (model.expected(*each, fine.substeps) <= max_cost) return fine;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio) {
+  return resolving(plan, settings, max_ratio, FastDashpots::Excluded);
+}
+
+Repetition repetition_of(const Plan& plan, const System& system, const Settings& settings) {
+  constexpr double cost_of_half_step = 2.0;
+  if (const auto fine = resolving(plan, settings, cost_of_half_step, FastDashpots::Resolved)) return {*fine, 1.0, true};
+  return {refined(system, settings), refinement_weight(system, settings)};
+}
+
+bool resolves_colliders(const Plan& plan, const Settings& used) {
+  if (!std::isfinite(plan.resolving_step)) return true;
+  constexpr double rounding = 1e-9;
+  const double max_step = plan.resolving_step * (1.0 + rounding);
+  for (const IslandSteps& steps : used.islands)
+    if (!(1.0 / (used.frame_rate * steps.substeps) <= max_step)) return false;
+  if (!used.islands.empty() || used.integrator->stability == Stability::Adaptive) return true;
+  return used.substep() <= max_step;
+}
+
+FrameError weighted_distance(const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight) {
+  double sum = 0.0, max = 0.0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const Vec3 difference = first[i] - second[i];
+    const double square = glm::dot(difference, difference);
+    sum += square;
+    max = std::max(max, square);
+  }
+  if (first.empty()) return {};
+  return {weight * std::sqrt(sum / static_cast<double>(first.size())), weight * std::sqrt(max)};
+}
+
+double estimate_frame_error(const System& system, const Settings& settings, const State& state) {
+  if (system.point_count() == 0) return 0.0;
+  bool failed = false;
+  const auto step = [&](const Settings& with) {
+    Plan plan = make_plan(system);
+    Frame frame;
+    State to = state;
+    frame.begin(plan, system, with, state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, to);
+    failed = failed || frame.failure() != StepFailure::None;
+    return to;
+  };
+  const State coarse = step(settings);
+  const Settings used = settings_used(settings, coarse);
+  const Repetition repetition = repetition_of(make_plan(system), system, used);
+  const State fine = step(repetition.settings);
+  if (failed) return std::numeric_limits<double>::infinity();
+  return weighted_distance(coarse.position, fine.position, repetition.weight).rms;
+}
+
+}  // namespace hooke
