@@ -2,7 +2,7 @@
 # links it with those it uses, tests/layers.cmake checks the includes, and docs/architecture.md shows the table as a diagram.
 # A module is the folder of its name; those of the physics are in sim.
 
-set(physics_modules model plan forces contact methods step statics)
+set(physics_modules model plan forces contact methods step control statics)
 set(hooke_modules base ${physics_modules} scene formats edit lab study draw ui app batch cli python api)
 
 # The folder of a module in src.
@@ -21,6 +21,7 @@ set(forces_uses base model plan)
 set(contact_uses base model plan forces)
 set(methods_uses base model plan forces)
 set(step_uses base model plan forces contact methods)
+set(control_uses base model plan forces contact methods step)
 set(statics_uses base model plan forces methods)
 set(physics base ${physics_modules})
 set(scene_uses ${physics})

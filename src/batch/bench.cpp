@@ -19,7 +19,7 @@
 #include "edit/setting_text.h"
 #include "formats/scene_file.h"
 #include "sim/model/hash.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "study/gnuplot.h"
 #include "study/work_precision_chart.h"
 

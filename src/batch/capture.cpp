@@ -11,7 +11,7 @@
 #include "draw/view.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "lab/crossing_finder.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "ui/panels/static_panels.h"
 
 namespace hooke {
@@ -72,7 +72,7 @@ class FrameCapture {
     std::snprintf(time.data(), time.size(), "t = %.3f s", snapshot.state.time);
     return std::string(time.data()) + "    " + accuracy_line(status.accuracy) + "    " + std::string(snapshot.settings.integrator->id) +
            (is_automatic(snapshot.settings) && snapshot.state.memory.choice
-                ? ": " + describe(snapshot.state.memory, snapshot.settings)
+                ? ": " + describe(*snapshot.state.memory.choice, snapshot.settings)
                 : ", " + std::to_string(snapshot.settings.substeps) + (snapshot.settings.substeps == 1 ? " substep" : " substeps"));
   }
 

@@ -8,7 +8,7 @@
 #include "base/printable.h"
 #include "batch/bench.h"
 #include "formats/scene_file.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 

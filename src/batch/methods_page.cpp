@@ -65,7 +65,7 @@ these derivatives.
 )";
 
 std::string limit_of(const Integrator& method, const Spectrum& spectrum, const char* rate) {
-  const double limit = largest_stable_step(method, spectrum);
+  const double limit = StepLimits(spectrum).stable_step(method);
   if (limit == 0.0) return "none";
   return std::isinf(limit) ? "any" : std::string("h ") + rate + " < " + rounded(limit);
 }

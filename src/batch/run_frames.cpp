@@ -13,7 +13,7 @@
 #include "lab/accuracy/accuracy_text.h"
 #include "scene/crossed_parts.h"
 #include "sim/model/hash.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "study/benchmark.h"
 #include "study/remedy/remedy.h"
 #include "study/run_monitor.h"

@@ -10,7 +10,7 @@
 #include "base/printable.h"
 #include "batch/accuracy_json.h"
 #include "sim/methods/integrator.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 
@@ -21,13 +21,13 @@ constexpr std::size_t max_buffered_bytes = 1 << 16;
 
 namespace {
 
-void write_choice(JsonWriter& json, const MethodChoice& choice) {
+void write_choice(JsonWriter& json, const MethodChoice& choice, double allowed) {
   json.text("integrator", choice.method->id);
   json.integer("substeps", choice.substeps);
   json.integer("min_substeps", choice.min_substeps);
   json.key("ratio");
-  if (std::isfinite(choice.ratio))
-    json.number(choice.ratio);
+  if (choice.error && std::isfinite(*choice.error))
+    json.number(*choice.error / allowed);
   else
     json.null();
 }
@@ -67,6 +67,7 @@ JsonReport::JsonReport(const std::string& file, const std::string& scene_name, c
   json_.text("integrator", scene.settings.integrator->id);
   json_.integer("substeps", scene.settings.substeps);
   if (is_automatic(scene.settings)) json_.number("tolerance", automatic_tolerance(scene.settings));
+  allowed_error_ = automatic_tolerance(scene.settings) / scene.settings.frame_rate;
   json_.number("frame_rate", scene.settings.frame_rate);
   json_.key("samples");
   json_.begin_list(JsonLayout::Lines);
@@ -107,17 +108,7 @@ void JsonReport::add_sample(const System& system, const State& state, const Accu
   if (const auto& choice = state.memory.choice) {
     json_.key("choice");
     json_.begin_object(JsonLayout::Line);
-    write_choice(json_, *choice);
-    if (!state.memory.islands.empty()) {
-      json_.key("islands");
-      json_.begin_list(JsonLayout::Line);
-      for (const MethodChoice& island : state.memory.islands) {
-        json_.begin_object(JsonLayout::Line);
-        write_choice(json_, island);
-        json_.end();
-      }
-      json_.end();
-    }
+    write_choice(json_, *choice, allowed_error_);
     json_.end();
   }
   json_.key("error");

@@ -27,6 +27,7 @@ class JsonReport {
  private:
   OutputFile file_;
   JsonWriter json_;
+  double allowed_error_ = 0.0;  // [m], in a frame, with `auto`
 };
 
 // One row of quantities per sample.

@@ -6,10 +6,10 @@
 #include "edit/apply.h"
 #include "formats/open_file.h"
 #include "scene/parameters.h"
-#include "scene/step_limits.h"
+#include "scene/step_advice.h"
 #include "scene/warnings/strain_limit_warning.h"
 #include "sim/methods/integrator.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "study/remedy/remedy.h"
 
 namespace hooke {

@@ -34,11 +34,9 @@ template <> inline constexpr std::array<std::string_view, 3> field_names<Force> 
 template <> inline constexpr std::array<std::string_view, 2> field_names<Patch> = {"points", "shares"};
 template <> inline constexpr std::array<std::string_view, 8> field_names<EnergyLedger> = {
     "given", "scale", "hand_stretch", "extent", "speed", "reversible", "min_reversible", "max_reversible"};
-template <> inline constexpr std::array<std::string_view, 4> field_names<MethodMemory> = {"step", "error", "choice", "islands"};
-template <> inline constexpr std::array<std::string_view, 21> field_names<MethodChoice> = {
-    "method", "substeps", "min_substeps", "resolves_collider", "period", "until_estimate", "interval", "until_selection", "selected_substeps", "next_substeps",
-    "until_bound", "frequency",
-    "ratio", "breaks", "target", "cost", "budget", "rates", "speed", "recent_speed", "recent_turning"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<MethodMemory> = {"step", "error", "choice"};
+template <> inline constexpr std::array<std::string_view, 8> field_names<MethodChoice> = {
+    "method", "substeps", "min_substeps", "error", "ratio", "next_substeps", "until_estimate", "until_selection"};
 
 template <> inline constexpr std::array<std::string_view, 5> field_names<PlacedPoint> = {"at", "point", "position", "velocity", "area"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<PlacedSpring> = {"at", "spring", "share"};

@@ -6,7 +6,7 @@
 #include "edit/apply.h"
 #include "edit/text_form.h"
 #include "formats/texture.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 namespace {
@@ -118,8 +118,7 @@ void restore_resume_state(const JsonField& field, Scene& scene) {
                              ledger.reversible.value_or(0.0), ledger.min_reversible.value_or(0.0), ledger.max_reversible.value_or(0.0)})
     if (!std::isfinite(value)) field.refuse("ledger: must be numbers below 1.8e308");
   if (!is_valid(rest.memory))
-    field.refuse("memory: choice, islands: must be of methods with fixed steps, of 1 to " + std::to_string(max_substeps) +
-                 " substeps, and of at most " + std::to_string(IslandStepsList::max_size) + " islands");
+    field.refuse("memory: choice: must be a method with fixed steps, and 1 to " + std::to_string(max_substeps) + " substeps");
   restore_ids(rest, scene);
   scene.state.torn = rest.torn;
   scene.tears = rest.tears;

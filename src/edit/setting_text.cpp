@@ -7,7 +7,7 @@
 #include "scene/flatness.h"
 #include "scene/parameter_value.h"
 #include "sim/methods/integrator.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 

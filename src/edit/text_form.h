@@ -16,7 +16,6 @@
 #include "scene/parameters.h"
 #include "sim/forces/force_terms.h"
 #include "sim/methods/integrator.h"
-#include "sim/step/automatic/leapfrog.h"
 
 namespace hooke {
 
@@ -217,8 +216,7 @@ struct Text<T> {
       }
     if (std::is_same_v<Member, std::optional<PairContact>> || std::is_same_v<Member, decltype(Face::rest_angle)> ||
         std::is_same_v<Member, std::optional<double>> || std::is_same_v<Member, std::optional<MethodChoice>> ||
-        std::is_same_v<Member, std::vector<MethodChoice>> ||
-        (std::is_same_v<T, MethodChoice> && (name == "breaks" || name == "recent_turning" || name == "resolves_collider")))
+        std::is_same_v<T, MethodChoice>)
       return;  // added since the first version
     field.refuse_missing(name, "must be given");
   }
@@ -240,7 +238,7 @@ struct ByName {
   std::string_view operator()(const auto& row) const { return row.name; }
 };
 template <>
-struct Text<const Integrator*> : RowText<Integrator, find_chosen_method, ById> {};
+struct Text<const Integrator*> : RowText<Integrator, find_integrator, ById> {};
 template <>
 struct Text<const ForceTerm*> : RowText<ForceTerm, find_force_term, ById> {};
 template <>

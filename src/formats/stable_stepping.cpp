@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "base/file_limits.h"
-#include "scene/step_limits.h"
-#include "sim/methods/integrator.h"
+#include "sim/methods/step_limits.h"
 #include "sim/plan/plan.h"
 
 namespace hooke {
@@ -15,7 +14,8 @@ std::optional<std::string> choose_stable_stepping(Scene& scene, int min_substeps
   Spectrum spectrum = bound_spectrum(scene.system);
   if (!spectrum.is_bounded) spectrum.estimated_omega = std::max(spectrum.estimated_omega, forces_omega);
   const Integrator& explicit_method = default_integrator();
-  const auto stable_substeps = min_stable_substeps(explicit_method, spectrum, settings.frame_rate);
+  const StepLimits limits(spectrum);
+  const auto stable_substeps = limits.stable_substeps(explicit_method, settings.frame_rate);
 
   // the limit holds for the current scene: leave a margin for springs that the user makes stiffer
   constexpr double safety_factor = 1.25;
@@ -28,7 +28,7 @@ std::optional<std::string> choose_stable_stepping(Scene& scene, int min_substeps
 
   // an implicit step costs as much as thousands of explicit ones
   const Integrator& implicit_method = stiff_integrator();
-  const auto implicit_substeps = min_stable_substeps(implicit_method, spectrum, settings.frame_rate);
+  const auto implicit_substeps = limits.stable_substeps(implicit_method, settings.frame_rate);
   if (implicit_substeps && *implicit_substeps <= max_affordable_substeps) {
     settings.integrator = &implicit_method;
     settings.substeps = std::max(min_substeps, *implicit_substeps);

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "sim/step/divergence.h"
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 
 namespace hooke {
 namespace {
@@ -62,7 +62,7 @@ void Companions::add_frame(const Plan& plan, const System& system, const Setting
 
 void Companions::substep(const System& system) {
   const auto next = std::ranges::find(runs_, false, &Run::is_done);
-  if (next == runs_.end()) return finish_frame();
+  if (next == runs_.end()) return finish_frame(system);
   const auto i = static_cast<std::size_t>(next - runs_.begin());
   if (companions_[i].exact) {
     companions_[i].exact(next->exact, end_time_ - time_);
@@ -77,10 +77,10 @@ void Companions::substep(const System& system) {
     next->shadow.substep();
     next->is_done = !next->shadow.is_in_frame();
   }
-  if (std::ranges::all_of(runs_, &Run::is_done)) finish_frame();
+  if (std::ranges::all_of(runs_, &Run::is_done)) finish_frame(system);
 }
 
-void Companions::finish_frame() {
+void Companions::finish_frame(const System& system) {
   has_frame_ = false;
   if (table_.times.size() >= max_times) {
     const auto half = static_cast<std::ptrdiff_t>(max_times / 2);
@@ -99,7 +99,7 @@ void Companions::finish_frame() {
     }
     if (runs_[i].is_on) {
       status.positions = std::make_shared<const std::vector<Vec3>>(state.position);
-      status.distance = weighted_distance(end_, state.position, 1.0).rms;
+      status.distance = weighted_distance(system, end_, state.position, 1.0).rms;
     }
     table_.distances[i].push_back(runs_[i].is_on ? status.distance : std::numeric_limits<double>::quiet_NaN());
   }

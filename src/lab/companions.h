@@ -61,7 +61,7 @@ class Companions {
     bool is_on = false, is_done = false;  // is_done: with the frame
   };
   void start(const Plan& plan, const State& state);
-  void finish_frame();
+  void finish_frame(const System& system);
 
   std::vector<Companion> companions_;
   std::vector<Run> runs_;

@@ -160,7 +160,7 @@ History::Of Lab::changed_by(const Command& command) const {
 // longer is.
 void Lab::check_divergence() {
   if (!divergence_) return;
-  const bool is_stable = scene_.settings.substep() <= largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
+  const bool is_stable = scene_.settings.substep() <= StepLimits(plan_.spectrum).stable_step(*scene_.settings.integrator);
   if (is_stable && was_unstable_) divergence_.reset();
 }
 
@@ -264,7 +264,7 @@ bool Lab::finish_frame() {
   const Energy energy = energy_after_frame();
   divergence_ = find_divergence(scene_.system, next_, energy, frame_.failure());
   if (divergence_) {
-    was_unstable_ = scene_.settings.substep() > largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
+    was_unstable_ = scene_.settings.substep() > StepLimits(plan_.spectrum).stable_step(*scene_.settings.integrator);
     before_failure_ = state_before_failure();
     failed_start_.reset();
     playback_.record_divergence();

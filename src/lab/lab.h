@@ -20,7 +20,7 @@
 #include "lab/recorder.h"
 #include "lab/start.h"
 #include "lab/status.h"
-#include "sim/step/step.h"
+#include "sim/control/frame_runner.h"
 
 namespace hooke {
 
@@ -135,7 +135,7 @@ class Lab {
   const std::vector<double>& gas_releases() const { return gas_releases_; }
 
   // The last frame, for `run --json`.
-  const Frame& last_frame() const { return frame_; }
+  const FrameRunner& last_frame() const { return frame_; }
 
  private:
   void apply_queue();
@@ -192,7 +192,7 @@ class Lab {
   double accuracy_cpu_seconds_ = 0.0;
   Execution execution_;
   Plan plan_;
-  Frame frame_;
+  FrameRunner frame_;
   bool frame_in_progress_ = false;
   bool must_finish_frame_ = false;               // an edit discarded the previous frame
   std::vector<Command> held_edits_;              // applied while a frame that they do not affect is in progress; recorded after it

@@ -1,6 +1,7 @@
 // What the laboratory passes on to its meter, and when it measures.
 #include "base/threads/thread_time.h"
 #include "lab/lab.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 // Passes the frame from the present state to `next_` on to the meter.

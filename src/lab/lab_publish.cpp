@@ -6,7 +6,7 @@
 #include "lab/divergence_message.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
-#include "scene/step_limits.h"
+#include "scene/step_advice.h"
 
 namespace hooke {
 namespace {
@@ -59,12 +59,12 @@ std::shared_ptr<const Snapshot> Lab::snapshot() {
     snapshot->max_strain = std::max(snapshot->max_strain, value);
   }
   snapshot->omega = plan_.spectrum.omega;
-  snapshot->largest_stable_step = largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
+  snapshot->largest_stable_step = StepLimits(plan_.spectrum).stable_step(*scene_.settings.integrator);
   if (scene_.settings.substep() > snapshot->largest_stable_step) {
     const Scene& start = start_.scene() ? *start_.scene() : scene_;
-    const StepNeeds needs = step_needs(start.system, start.state);
-    snapshot->recommended_margin = needs.margin;
-    snapshot->recommended_substeps = recommended_substeps(plan_.spectrum, scene_.settings, needs).value_or(0);
+    const StepLimits limits(plan_.spectrum, step_needs(start.system, start.state));
+    snapshot->recommended_margin = limits.needs().margin;
+    snapshot->recommended_substeps = limits.recommended_substeps(*scene_.settings.integrator, scene_.settings.frame_rate).value_or(0);
   }
   snapshot->divergence = divergence_;
   return snapshot;

@@ -7,7 +7,7 @@
 #include "scene/quantity.h"
 #include "scene/shape.h"
 #include "sim/methods/integrator.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke::python {
 namespace {

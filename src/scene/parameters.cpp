@@ -8,7 +8,7 @@
 #include "scene/flatness.h"
 #include "scene/parameter_access.h"
 #include "scene/parameter_groups.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 namespace {

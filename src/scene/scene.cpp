@@ -1,6 +1,6 @@
 #include "scene/scene.h"
 
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <glm/geometric.hpp>
 
+#include "sim/control/frame_error.h"
 #include "sim/step/divergence.h"
 
 namespace hooke {
@@ -27,13 +28,8 @@ void add(RunResult& result, const Motion& motion) {
 
 bool is_adaptive(const Integrator& method) { return method.stability == Stability::Adaptive; }
 
-double rms_distance(const State& first, const State& second) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < first.position.size(); ++i) {
-    const Vec3 apart = first.position[i] - second.position[i];
-    sum += glm::dot(apart, apart);
-  }
-  return first.position.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(first.position.size()));
+double rms_distance(const System& system, const State& first, const State& second) {
+  return weighted_distance(system, first.position, second.position, 1.0).rms;
 }
 
 double cpu_seconds() {
@@ -83,7 +79,7 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
     add(result, frame_.motion());
     if (is_auto) result.model_ms += frame_.cost(plan_);
 
-    if (!is_finite(state) || rms_distance(state, start) > out_of_bounds * problem_.size) {
+    if (!is_finite(state) || rms_distance(problem_.system, state, start) > out_of_bounds * problem_.size) {
       result.end = RunResult::End::Diverged;
       return result;
     }

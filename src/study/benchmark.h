@@ -8,7 +8,7 @@
 
 #include "sim/methods/integrator.h"
 #include "sim/plan/plan.h"
-#include "sim/step/step.h"
+#include "sim/control/frame_runner.h"
 #include "study/problem.h"
 
 namespace hooke {
@@ -64,11 +64,11 @@ class Benchmark {
  private:
   const Problem& problem_;
   Plan plan_;
-  Frame frame_;  // reused, so that data built once per topology is not counted as stepping
+  FrameRunner frame_;  // reused, so that data built once per topology is not counted as stepping
 };
 
 // RMS over the points of the distance between two states [m].
-double rms_distance(const State& first, const State& second);
+double rms_distance(const System& system, const State& first, const State& second);
 
 // CPU time used by this thread [s]: the window compares methods while others of its threads work.
 double cpu_seconds();

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "base/threads/thread_time.h"
-#include "scene/step_limits.h"
+#include "sim/methods/step_limits.h"
 #include "sim/contact/contact.h"
 #include "sim/methods/rows.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "sim/step/divergence.h"
-#include "sim/step/frame_error.h"
-#include "sim/step/step.h"
+#include "sim/control/frame_error.h"
+#include "sim/control/frame_runner.h"
 
 namespace hooke {
 namespace {
@@ -28,7 +28,7 @@ class Frames {
   };
   // None if it takes longer than `max_seconds` of CPU time, or is stopped.
   std::optional<Result> compute(const Settings& settings, double max_seconds = HUGE_VAL) {
-    Frame frame;
+    FrameRunner frame;
     State to = state_;
     // twice, because the first time includes the analysis of the matrix that later frames share
     double seconds = 0.0;
@@ -55,9 +55,10 @@ class Frames {
 
 // The fewest that are stable and resolve the oscillations of the colliders; none if the latter are too many.
 std::optional<int> min_substeps(const Plan& plan, const Integrator& method, double frame_rate) {
-  const auto resolving = resolving_substeps({.oscillation = plan.resolving_step}, method, frame_rate);
+  const StepLimits limits(plan.spectrum, {.oscillation = plan.resolving_step});
+  const auto resolving = limits.resolving_substeps(method, frame_rate);
   if (!resolving) return std::nullopt;
-  return std::max(*resolving, min_stable_substeps(method, plan.spectrum, frame_rate).value_or(1));
+  return std::max(*resolving, limits.stable_substeps(method, frame_rate).value_or(1));
 }
 
 // Far more accurate than the present settings.
@@ -76,7 +77,7 @@ std::optional<CheaperMethod> find_cheaper_method(const System& system, const Sta
   const auto reference = frames.compute(exact(system, settings, frames.plan()));
   const auto present = frames.compute(settings);
   if (!reference || !present) return std::nullopt;
-  const auto error_of = [&](const Frames::Result& result) { return weighted_distance(result.position, reference->position, 1.0).rms; };
+  const auto error_of = [&](const Frames::Result& result) { return weighted_distance(system, result.position, reference->position, 1.0).rms; };
   constexpr double round_off = 1e-14;  // [m]
   const double allowed = error_of(*present);
   if (!(allowed > round_off)) return std::nullopt;

@@ -6,7 +6,7 @@
 
 #include "lab/lab.h"
 #include "scene/quantity.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "sim/step/divergence.h"
 #include "study/run_monitor.h"
 

@@ -55,7 +55,7 @@ std::pair<int, int> convergence_orders(const Integrator& method, const Problem& 
 
 Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
   if (is_adaptive(method)) return {.tolerance = 1e-8 * benchmark.problem().size};
-  const double limit = largest_stable_step(method, benchmark.spectrum());
+  const double limit = StepLimits(benchmark.spectrum()).stable_step(method);
   const double part = benchmark.problem().seconds / snapshot_count;
   // steps that do not resolve an oscillation of a collider, and halves of them, may all see it at the same phases
   constexpr double max_steps = 1e9;
@@ -119,11 +119,11 @@ State perturb(const Problem& problem) {
 
 double measure_amplification(Benchmark& benchmark, const Refinement& own, const std::function<bool()>& should_continue) {
   const State start = perturb(benchmark.problem());
-  const double begin = rms_distance(start, benchmark.problem().start);
+  const double begin = rms_distance(benchmark.problem().system, start, benchmark.problem().start);
   const RunResult result = benchmark.run(*own.method, own.setting, start, should_continue);
   if (result.end != RunResult::End::Finished || begin == 0.0) return std::numeric_limits<double>::quiet_NaN();
   double growth = 0.0;
-  for (int i = 0; i < snapshot_count; ++i) growth = std::max(growth, rms_distance(result.snapshots[i], own.snapshots[i]) / begin);
+  for (int i = 0; i < snapshot_count; ++i) growth = std::max(growth, rms_distance(benchmark.problem().system, result.snapshots[i], own.snapshots[i]) / begin);
   return growth;
 }
 
@@ -138,7 +138,7 @@ Score judge(const Problem& problem, Measure measure, const std::vector<State>& r
     const double drift = (compute_energy(system, measured[i]).total() - compute_energy(system, reference[i]).total()) / scale;
     if (std::abs(drift) > std::abs(score.energy_drift)) score.energy_drift = drift;
     const double error = measure == Measure::Trajectory
-                             ? rms_distance(measured[i], reference[i])
+                             ? rms_distance(system, measured[i], reference[i])
                              : glm::distance(center_of_mass(system, measured[i]), center_of_mass(system, reference[i]));
     score.error = std::max(score.error, error);
     strain_error = std::max(strain_error, std::abs(largest_strain(system, measured[i]) - largest_strain(system, reference[i])));

@@ -10,8 +10,8 @@
 #include "sim/forces/energy/energy.h"
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/methods/integrator.h"
-#include "sim/step/automatic/automatic.h"
-#include "sim/step/frame_error.h"
+#include "sim/control/automatic.h"
+#include "sim/control/frame_error.h"
 
 namespace hooke {
 namespace {
@@ -34,7 +34,7 @@ double booked_dissipation(const Motion& motion) {
 
 bool is_large(const State& state) { return state.position.size() >= min_points_of_large_run; }
 
-bool has_modified_energy(const Settings& settings) { return settings.islands.empty() && settings.integrator->modified_energy != nullptr; }
+bool has_modified_energy(const Settings& settings) { return settings.integrator->modified_energy != nullptr; }
 
 // [J], at most, in a frame by forces whose damping the substeps do not resolve: less of it is recorded than a method dissipates.
 double unresolved_dissipation(const Plan& plan, const Settings& settings, const State& state, double kinetic) {
@@ -121,8 +121,8 @@ void RunMonitor::note_crossings(long crossings, double time) {
 
 void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion) {
   ++frames_;
-  // `auto` has an estimate for every frame
-  if (state.memory.choice) estimated_error_ += state.memory.choice->ratio * state.memory.choice->target;
+  // of `auto`
+  if (state.memory.choice) estimated_error_ += state.memory.choice->error.value_or(0.0);
   unconverged_solves_ += motion.unconverged_solves;
   note_crossings(motion.crossings, state.time - 1.0 / settings.frame_rate);
   const Now now{plan, settings, state, &motion};

@@ -27,7 +27,7 @@ void sort_rows(std::vector<Row>& rows) {
 // The first setting of a sweep: at the stability limit if there is one, otherwise four steps per snapshot.
 Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
   if (is_adaptive(method)) return {.tolerance = 1e-2 * benchmark.problem().size};
-  const double limit = largest_stable_step(method, benchmark.spectrum());
+  const double limit = StepLimits(benchmark.spectrum()).stable_step(method);
   if (!(limit > 0.0) || !std::isfinite(limit)) return {.steps = 4};
   return {.steps = std::max(1, static_cast<int>(std::ceil(benchmark.problem().seconds / snapshot_count / limit)))};
 }

@@ -9,7 +9,7 @@
 #include "scene/flatness.h"
 #include "scene/parameters.h"
 #include "sim/methods/integrator.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "ui/panels/mixed_values.h"
 #include "ui/text.h"
 #include "ui/typed_field.h"

@@ -8,7 +8,7 @@
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
 #include "scene/shape.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "support/gui_fixture.h"
 
 namespace hooke {

@@ -27,7 +27,7 @@
 #include "sim/methods/integrator.h"
 #include "sim/model/hash.h"
 #include "sim/plan/plan.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "sim/step/divergence.h"
 #include "sim/step/step.h"
 

@@ -9,7 +9,7 @@
 #include "scene/parameters.h"
 #include "sim/forces/force_terms.h"
 #include "sim/methods/integrator.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 namespace {

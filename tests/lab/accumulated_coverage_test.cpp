@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "sim/methods/integrator.h"
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 #include "support/force_with.h"
 #include "support/measured_lab.h"
 #include "support/random_scene.h"

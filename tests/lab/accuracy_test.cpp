@@ -13,7 +13,7 @@
 #include "lab/lab.h"
 #include "scene/parameters.h"
 #include "sim/model/hash.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "support/accuracy_scenes.h"
 #include "support/convergence.h"
 #include "support/flat_scene.h"

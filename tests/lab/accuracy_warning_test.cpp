@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lab/accuracy/accuracy_text.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "support/convergence.h"
 #include "support/measured_lab.h"
 

@@ -8,7 +8,7 @@
 #include "lab/lab.h"
 #include "scene/parameters.h"
 #include "sim/model/hash.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "support/apply_now.h"
 #include "support/contents.h"
 #include "support/nets.h"

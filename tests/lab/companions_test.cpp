@@ -7,8 +7,8 @@
 
 #include "scene/parameters.h"
 #include "sim/methods/integrator.h"
-#include "sim/step/automatic/automatic.h"
-#include "sim/step/frame_error.h"
+#include "sim/control/automatic.h"
+#include "sim/control/frame_error.h"
 #include "support/run_lab.h"
 
 namespace hooke {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "scene/step_limits.h"
+#include "scene/step_advice.h"
 #include "sim/methods/integrator.h"
 #include "support/apply_now.h"
 #include "support/small_net.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "sim/methods/integrator.h"
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 #include "support/measured_lab.h"
 
 namespace hooke {

@@ -1,7 +1,7 @@
 // The energy balance and the error estimates of frames in which springs break.
 #include <gtest/gtest.h>
 
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 #include "support/gas_bodies.h"
 #include "support/measured_lab.h"
 #include "support/run_lab.h"

@@ -63,7 +63,7 @@ std::vector<Vec3> start_accelerations(const Problem& problem) {
 }
 
 bool is_lost(const State& state, const Problem& problem) {
-  const double distance = rms_distance(state, problem.start);
+  const double distance = rms_distance(problem.system, state, problem.start);
   return !std::isfinite(distance) || distance > 1e6 * problem.size;
 }
 

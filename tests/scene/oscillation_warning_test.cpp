@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "scene/step_limits.h"
+#include "scene/step_advice.h"
 #include "sim/methods/integrator.h"
 #include "support/test_sim.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "support/small_net.h"
 
 namespace hooke {

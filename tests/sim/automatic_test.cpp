@@ -1,5 +1,5 @@
 // The method `auto` keeps the tolerance, for little more than the cheapest method would cost, and says what it chose.
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 #include "support/accuracy_scenes.h"
 #include "support/convergence.h"
 #include "support/next_frame.h"

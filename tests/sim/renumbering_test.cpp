@@ -13,7 +13,7 @@
 #include "sim/model/hash.h"
 #include "sim/plan/hinges.h"
 #include "sim/step/divergence.h"
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 #include "support/automatic_runs.h"
 #include "support/convergence.h"
 #include "support/force_with.h"

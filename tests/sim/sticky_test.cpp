@@ -6,7 +6,6 @@
 
 #include "sim/forces/terms/rows.h"
 #include "sim/methods/rows.h"
-#include "sim/step/automatic/leapfrog.h"
 #include "support/automatic_runs.h"
 #include "support/convergence.h"
 #include "support/test_sim.h"

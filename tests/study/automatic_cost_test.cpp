@@ -9,7 +9,7 @@
 #include <map>
 
 #include "base/read_file.h"
-#include "sim/step/automatic/cost_model.h"
+#include "sim/control/cost_model.h"
 #include "study/work_precision_file.h"
 #include "support/next_frame.h"
 #include "support/sanitizer_slowdown.h"
@@ -115,13 +115,13 @@ TEST(AutomaticTolerance, IsKeptOnTheProblemsOfTheBenchmark) {
       const Problem problem = row.make();
       State state = problem.start;
       Plan plan = make_plan(problem.system), exact_plan = plan;
-      Frame frame, exact_frame;
+      FrameRunner frame, exact_frame;
       const Settings settings{.integrator = &automatic_method(), .tolerance = tolerance};
       int kept_here = 0, frames_here = 0, reported = 0;
       double worst = 0.0;
       for (; frames_here < 60.0 * problem.seconds; ++frames_here) {
         const State after = next_frame(plan, frame, problem.system, settings, state);
-        const double error = rms_distance(after, next_frame(exact_plan, exact_frame, problem.system, exact, state));
+        const double error = rms_distance(problem.system, after, next_frame(exact_plan, exact_frame, problem.system, exact, state));
         worst = std::max(worst, 60.0 * error / tolerance);
         kept_here += 60.0 * error <= tolerance ? 1 : 0;
         const bool is_met = is_tolerance_met(*after.memory.choice, settings);
@@ -155,14 +155,14 @@ TEST(AutomaticTolerance, IsKeptByTheEmbeddedEstimateOfTrBdf2) {
     for (const int substeps : {1, 2, 4}) {
       const Settings settings{.integrator = find_integrator("tr_bdf2"), .substeps = substeps};
       Plan plan = make_plan(problem.system), exact_plan = plan;
-      Frame frame, exact_frame;
+      FrameRunner frame, exact_frame;
       State state = problem.start;
       std::vector<double> ratios;  // of the estimate to the error
       for (int i = 0; i < 20; ++i) {
         const State after = next_frame(plan, frame, problem.system, settings, state);
         const double estimate = frame.motion().local_error;
         state = next_frame(exact_plan, exact_frame, problem.system, exact, state);
-        ratios.push_back(estimate / rms_distance(after, state));
+        ratios.push_back(estimate / rms_distance(problem.system, after, state));
       }
       std::ranges::sort(ratios);
       const double low = ratios[ratios.size() / 10], high = ratios[ratios.size() * 9 / 10];

@@ -1,7 +1,7 @@
 // The search for a cheaper method: what it finds is no less accurate.
 #include <gtest/gtest.h>
 
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 #include "study/cheaper_method.h"
 #include "support/nets.h"
 

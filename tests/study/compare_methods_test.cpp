@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 #include "support/accuracy_scenes.h"
 #include "support/convergence.h"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "sim/methods/integrator.h"
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 #include "study/forecast.h"
 #include "support/nets.h"
 

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "sim/methods/rows.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "study/analytic_scenes.h"
 #include "study/hard_cases/case_report.h"
 #include "study/hard_cases/monitored_run.h"

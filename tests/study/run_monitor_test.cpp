@@ -99,7 +99,7 @@ TEST(RunMonitor, DoesNotWarnAboutCorrectRuns) {
     if (warnings.empty() && !run.stopped()) continue;
     ++warned;
     // only warnings about correct runs count
-    const double error = run.stopped() ? 0.0 : rms_distance(run.state(), exact_end(network, seconds));
+    const double error = run.stopped() ? 0.0 : rms_distance(network.system, run.state(), exact_end(network, seconds));
     if (error <= correct) false_warnings += "\nscene " + std::to_string(seed) + ": " + (run.stopped() ? "stopped" : warnings.front());
   }
   EXPECT_GE(stable, 250);
@@ -137,7 +137,7 @@ TEST(RunMonitor, DoesNotWarnAboutForcesFasterThanASubstep) {
     for (const char* id : {"dop853", "implicit_midpoint", "tr_bdf2", "esdirk4", "implicit_euler"}) {
       MonitoredRun run(network, {.integrator = find_integrator(id), .substeps = 20});
       run.run(seconds);
-      if (run.stopped() || rms_distance(run.state(), exact) > correct) continue;
+      if (run.stopped() || rms_distance(network.system, run.state(), exact) > correct) continue;
       ++checked;
       const auto warnings = run.monitor().warnings({});
       EXPECT_TRUE(warnings.empty()) << "scene " << seed << ", " << id << ": " << warnings.front();

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "scene/step_limits.h"
+#include "scene/step_advice.h"
 #include "sim/model/force_term.h"
 #include "sim/step/divergence.h"
 #include "study/hard_cases/monitored_run.h"

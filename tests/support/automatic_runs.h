@@ -1,7 +1,7 @@
 // Runs with the method `auto`, frame by frame.
 #pragma once
 
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "support/nets.h"
 #include "support/next_frame.h"
 

@@ -1,7 +1,7 @@
 // The method `auto` in the panels.
 #include <gtest/gtest.h>
 
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "support/two_springs.h"
 
 namespace hooke {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "scene/parameters.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "support/gui_sheets.h"
 #include "support/two_springs.h"
 

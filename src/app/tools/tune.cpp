@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "scene/parameters.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "ui/text.h"
 
 namespace hooke {

@@ -10,7 +10,7 @@
 #include "edit/apply.h"
 #include "lab/lab.h"
 #include "scene/flatness.h"
-#include "scene/step_limits.h"
+#include "scene/step_advice.h"
 #include "sim/model/hash.h"
 
 namespace hooke {

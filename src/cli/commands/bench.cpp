@@ -16,7 +16,7 @@
 #include "cli/commands/bench_scaling.h"
 #include "cli/interrupt.h"
 #include "cli/scene_options.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 namespace {

@@ -8,7 +8,7 @@
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
 #include "sim/methods/integrator.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "ui/shortcuts.h"
 
 namespace hooke {

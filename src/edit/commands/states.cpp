@@ -6,7 +6,7 @@
 #include "edit/command.h"
 #include "edit/in_plane.h"
 #include "edit/tears.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 namespace {

@@ -12,7 +12,7 @@
 #include "formats/scene_json/network_reader.h"
 #include "formats/scene_json/scene_sections.h"
 #include "formats/texture.h"
-#include "scene/step_limits.h"
+#include "scene/step_advice.h"
 #include "scene/warnings/bending_warning.h"
 #include "scene/warnings/overlap_warning.h"
 #include "scene/warnings/pressure_warning.h"

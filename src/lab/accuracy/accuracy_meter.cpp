@@ -8,7 +8,7 @@
 #include "lab/accuracy/accuracy_text.h"
 #include "sim/contact/contact.h"
 #include "sim/forces/energy/energy.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 namespace {
@@ -117,7 +117,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   }
   if (mode_ != AccuracyMode::Full) return;
   if (start_.empty()) start_ = before.position;
-  motion_ = std::max(motion_, weighted_distance(after.position, start_, 1.0).rms);
+  motion_ = std::max(motion_, weighted_distance(system, after.position, start_, 1.0).rms);
   second_runs_.add_frame(plan, system, settings, before, after, motion.force_evaluations);
 }
 

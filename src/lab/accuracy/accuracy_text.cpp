@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "base/number_text.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 namespace {

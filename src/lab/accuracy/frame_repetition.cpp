@@ -26,14 +26,14 @@ void FrameRepetition::substep(const System& system) {
   run_.substep();
   if (run_.is_in_frame()) return;
   if (by_half_) {
-    if (!run_.failed()) result_->refinement = {*by_half_, weighted_distance(end_, run_.state().position, 1.0).rms};
+    if (!run_.failed()) result_->refinement = {*by_half_, weighted_distance(system, end_, run_.state().position, 1.0).rms};
     by_half_.reset();
     return;
   }
   result_.reset();
   has_failed_ = run_.failed();
   if (has_failed_) return;
-  result_ = Result{.error = weighted_distance(end_, run_.state().position, weight_),
+  result_ = Result{.error = weighted_distance(system, end_, run_.state().position, weight_),
                    .time = time_,
                    .numerical_gain = weight_ * (energy_ - compute_energy(system, run_.state()).total())};
   if (!before_) return;

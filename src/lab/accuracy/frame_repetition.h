@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "lab/accuracy/shadow_run.h"
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 
 namespace hooke {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "sim/step/divergence.h"
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 
 namespace hooke {
 namespace {
@@ -61,7 +61,7 @@ void SecondRuns::perturb(const System& system, const State& state, double frame)
       displaced.position[i][c] += perturbation * size_ * random_at(3 * static_cast<std::uint64_t>(i) + static_cast<std::uint64_t>(c));
   }
   perturbed_.shadow.start(displaced);
-  measurement_.start(weighted_distance(displaced.position, state.position, 1.0).rms, frame);
+  measurement_.start(weighted_distance(system, displaced.position, state.position, 1.0).rms, frame);
   measured_frames_ = 0;
 }
 
@@ -114,21 +114,21 @@ void SecondRuns::substep(const System& system) {
     if (is_refined) repetition_ = frame;
   }
   run.shadow.substep();
-  if (!run.shadow.is_in_frame()) finish_frame(run);
+  if (!run.shadow.is_in_frame()) finish_frame(system, run);
 }
 
-void SecondRuns::finish_frame(Run& run) {
+void SecondRuns::finish_frame(const System& system, Run& run) {
   const Input& input = input_of(run);
   const State& state = run.shadow.state();
   if (&run == &refined_) {
-    error_ = Error{weighted_distance(input.end, state.position, repetition_.weight).rms, input.end_time};
+    error_ = Error{weighted_distance(system, input.end, state.position, repetition_.weight).rms, input.end_time};
     if (!max_error_ || error_->rms > max_error_->rms) max_error_ = error_;
     failed_ = run.shadow.failed();
     diverged_ = !is_finite(state);
     if (failed_ || diverged_) run.is_on = false;
   } else {
     ++measured_frames_;
-    measurement_.add(weighted_distance(input.end, state.position, 1.0).rms, max_small * size_);
+    measurement_.add(weighted_distance(system, input.end, state.position, 1.0).rms, max_small * size_);
     if (measurement_.result()) growth_ = measurement_.result();
     if (measurement_.is_finished() || run.shadow.failed()) {
       run.is_on = false;

@@ -8,7 +8,7 @@
 
 #include "lab/accuracy/growth.h"
 #include "lab/accuracy/shadow_run.h"
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 
 namespace hooke {
 
@@ -59,7 +59,7 @@ class SecondRuns {
   const Input& input_of(const Run& run) const { return inputs_[static_cast<std::size_t>(run.next - first_)]; }
   void start(Run& run, const Plan& plan, const State& state);
   void perturb(const System& system, const State& state, double frame);
-  void finish_frame(Run& run);
+  void finish_frame(const System& system, Run& run);
 
   double size_ = 1.0, since_ = 0.0;
   Repetition repetition_;  // of the last frame that the run with half the step began

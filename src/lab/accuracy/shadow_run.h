@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/step/step.h"
+#include "sim/control/frame_runner.h"
 
 namespace hooke {
 
@@ -39,7 +39,7 @@ class ShadowRun {
 
  private:
   Plan plan_;
-  Frame frame_;
+  FrameRunner frame_;
   State state_;
   bool is_in_frame_ = false;
 };

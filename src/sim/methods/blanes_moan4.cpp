@@ -163,6 +163,7 @@ constinit const Integrator blanes_moan4{
     .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = true,
+    .splits_dashpots = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

@@ -301,6 +301,7 @@ constinit const Integrator velocity_verlet{
     .implicit_force_terms = false,
     .for_production = true,
     .kicks_last = true,
+    .splits_dashpots = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

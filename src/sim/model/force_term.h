@@ -53,7 +53,7 @@ struct ForceBound {
   double omitted_stiffness = 0.0;  // [1/s^2], bound or estimate of the part of the stiffness that add_tangent leaves out
 };
 
-// [ns], by the model of the cost (automatic/cost_model.h), for each point or, of forces on faces, for each face: of an evaluation, and of
+// [ns], by the model of the cost (control/cost_model.h), for each point or, of forces on faces, for each face: of an evaluation, and of
 // what is computed in a substep for the energy that it supplies.
 struct ForceCost {
   double evaluation = 1.0, energy = 8.0;

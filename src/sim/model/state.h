@@ -26,27 +26,16 @@ struct EnergyLedger {
 
 struct Integrator;
 
-// What the method `auto` (automatic/automatic.h) chose for a frame, and what it needs to choose for the next one.
+// What the method `auto` (control/frame_runner.h) chose for a frame, and what it needs to choose for the next one.
 struct MethodChoice {
   const Integrator* method = nullptr;
   int substeps = 1;
-  int min_substeps = 1;                   // of the method, for stability and what must be resolved
-  bool resolves_collider = false;         // whether an oscillating collider determines that number
-  int period = 1, until_estimate = 0;     // [frames], between two estimates of the error, and until the next one
-  int interval = 1, until_selection = 0;  // [frames], between two comparisons of methods, and until the next one may be
-  int selected_substeps = 0;              // by the last comparison; 0: the scene was edited since
-  int next_substeps = 0;                  // of the next frame
-  int until_bound = 0;                    // [frames], until the frequencies are bounded again
-  double frequency = 1.0;                 // [1], bound on the frequencies in this state, relative to that for every deformation
-  double ratio = 0.0;                     // [1], of the last estimate of the error to the target; infinity: the frame diverged
-  bool breaks = false;                    // springs break in this frame
-  double target = 0.0;                    // [m], the error aimed at in a frame
-  double cost = 0.0;                      // [ms], of a frame by the model of the cost
-  double budget = 0.0;                    // [ms], for which it was chosen; 0: none
-  double rates = 0.0;                     // of the scene, as one number, to notice edits
-  double speed = 0.0;                     // [m/s], of the points and the hand at the start of the frame
-  double recent_speed = 0.0;              // [m/s], the same at its recent maximum
-  double recent_turning = 0.0;            // [1/s], how fast springs turned and stretched, at its recent maximum, at estimates
+  int min_substeps = 1;           // of the method, for stability and what must be resolved
+  std::optional<double> error{};  // [m], of this frame, RMS over the free points; infinity: it diverged; none: not estimated
+  double ratio = 0.0;             // [1], of the last estimate to the error aimed at
+  int next_substeps = 1;          // of the next frame
+  int until_estimate = 0;         // frames that need no estimate of their error
+  int until_selection = -1;       // frames until methods are compared again; negative: they need not be
   bool operator==(const MethodChoice&) const = default;
 };
 
@@ -55,7 +44,6 @@ struct MethodMemory {
   double step = 0.0;                     // [s], the next step
   double error = 0.0;                    // [1], of its last step, relative to the tolerance
   std::optional<MethodChoice> choice{};  // none: another method, or not yet made
-  std::vector<MethodChoice> islands{};   // of each group of parts that are stepped separately (automatic/islands.h); empty: as a whole
   bool operator==(const MethodMemory&) const = default;
 };
 

@@ -12,8 +12,6 @@
 #include "sim/forces/spring_limits.h"
 #include "sim/methods/implicit/supernodal_factor.h"
 #include "sim/model/grab.h"
-#include "sim/step/automatic/cost_model.h"
-#include "sim/step/automatic/islands.h"
 
 namespace hooke {
 
@@ -41,30 +39,9 @@ void keep_start(const Plan& plan, const Motion& motion, ContactWorkspace& before
 
 }  // namespace
 
-Frame::Frame() = default;
-Frame::~Frame() = default;
-Frame::Frame(Frame&& other) noexcept = default;
-Frame& Frame::operator=(Frame&& other) noexcept = default;
-
-void Frame::begin(Plan& plan, const System& system, const Settings& given, const State& state) {
-  duration_ = 1.0 / given.frame_rate;
+void Frame::begin(Plan& plan, const System& system, const Settings& settings, const State& state) {
+  duration_ = 1.0 / settings.frame_rate;
   prepare_hand(plan, system, state, duration_);
-  is_divided_ = begin_islands(plan, system, given, state);
-  if (is_divided_) return;
-  std::optional<MethodChoice> choice;
-  Settings settings = given;
-  if (is_automatic(given)) {
-    choice = automatic_.choose(plan, system, given, state);
-    settings.integrator = choice->method;
-    settings.substeps = choice->substeps;
-    settings.tolerance.reset();
-    if (Frame* computed = automatic_.computed_frame(*choice)) {
-      take_over(*computed);
-      motion_.memory.choice = choice;
-      motion_.memory.islands.clear();
-      return;
-    }
-  }
   integrator_ = settings.integrator;
   substeps_ = settings.substeps;
   substeps_done_ = one_by_one_until_ = 0;
@@ -75,8 +52,6 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   locates_breaks_ = settings.locates_breaks && !plan.break_length.empty();
   start_ = state.time;
   pack(plan, state, motion_);
-  motion_.memory.choice = choice;
-  motion_.memory.islands.clear();
   collider_displacement_ = plan.grabbed_collider ? duration_ * plan.grabbed_collider->velocity : Vec3(0.0);
 
   // a held point moves in a straight line to the target, as a point of infinite mass with that velocity: exact for every method
@@ -107,46 +82,6 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   before_.kicks_last = integrator_->kicks_last;
   prepare_method(plan, h_);
   if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_, work_);
-}
-
-// With `auto`, and when such a frame is computed again: whether groups of parts are stepped separately. Then nothing is held, and springs
-// do not break.
-bool Frame::begin_islands(const Plan& plan, const System& system, const Settings& settings, const State& state) {
-  if (!is_automatic(settings) && settings.islands.empty()) return false;
-  if (!islands_) islands_ = std::make_unique<IslandFrames>();
-  if (!islands_->divide(plan, system, settings.frame_rate)) return false;
-  if (!settings.islands.empty() && settings.islands.size() != islands_->count()) return false;
-  start_ = state.time;
-  substeps_ = 1;
-  substeps_done_ = 0;
-  failure_ = StepFailure::None;
-  has_touched_ = false;
-  target_ = collider_displacement_ = Vec3(0.0);
-  hand_stretch_ = hand_speed_ = 0.0;
-  broken_.clear();
-  pack(plan, state, motion_);
-  islands_->begin(settings, state, motion_.memory);
-  return true;
-}
-
-// A frame that was computed from the same state with the same settings. Its buffers are exchanged, so that nothing is allocated.
-void Frame::take_over(Frame& computed) {
-  std::swap(motion_, computed.motion_);
-  integrator_ = computed.integrator_;
-  start_ = computed.start_;
-  h_ = computed.h_;
-  left_ = computed.left_;
-  locates_breaks_ = computed.locates_breaks_;
-  prepared_ = computed.prepared_;
-  substeps_ = computed.substeps_;
-  substeps_done_ = computed.substeps_done_;
-  failure_ = computed.failure_;
-  has_touched_ = computed.has_touched_;
-  target_ = computed.target_;
-  hand_stretch_ = computed.hand_stretch_;
-  hand_speed_ = computed.hand_speed_;
-  collider_displacement_ = computed.collider_displacement_;
-  broken_.clear();
 }
 
 // Several substeps at once, so many that they take about a millisecond, or more if there are more springs. Whether anything acts
@@ -201,15 +136,6 @@ void Frame::stay(long evaluations, long sweeps) {
 }
 
 void Frame::substep(Plan& plan) {
-  if (is_divided_) {
-    islands_->substep();
-    failure_ = islands_->failure();
-    if (!islands_->done()) return;
-    islands_->end(plan, motion_);
-    has_touched_ = islands_->has_touched();
-    substeps_done_ = substeps_;
-    return;
-  }
   const int done_before = substeps_done_;
   if (fly(plan)) {
     const double flown = (substeps_done_ - done_before) * h_;
@@ -355,12 +281,6 @@ double Frame::next_step(const Plan& plan) const {
     if (step < max && left_ - step > min_part * h_) return step;
   }
   return left_ <= max ? left_ : left_ / std::ceil(left_ / max);
-}
-
-double Frame::trial_cost() const { return automatic_.trial_cost() + (islands_ ? islands_->trial_cost() : 0.0); }
-
-double Frame::cost(const Plan& plan) const {
-  return is_divided_ ? islands_->cost() : CostModel(plan).of(*integrator_, motion_, substeps_done_);
 }
 
 void Frame::end(const Plan& plan, State& state) const {

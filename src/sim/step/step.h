@@ -1,7 +1,6 @@
 // One frame of a scene, substep by substep.
 #pragma once
 
-#include <memory>
 #include <span>
 
 #include "sim/contact/contact.h"
@@ -11,11 +10,8 @@
 #include "sim/model/settings.h"
 #include "sim/model/state.h"
 #include "sim/step/adaptive_step.h"
-#include "sim/step/automatic/automatic.h"
 
 namespace hooke {
-
-class IslandFrames;
 
 // Why a frame ended early: for an adaptive method no step is short enough for a finite error, or a frame takes more than
 // max_adaptive_evaluations force evaluations or max_adaptive_surface_steps, those of rejected steps included; or more than
@@ -29,12 +25,8 @@ enum class StepFailure { None, TooShort, TooMany, TooManyPairs, MatrixTooLarge }
 // rebuilt or refreshed. The State is not changed.
 class Frame {
  public:
-  Frame();
-  ~Frame();
-  Frame(Frame&& other) noexcept;
-  Frame& operator=(Frame&& other) noexcept;
-
-  // Sets the motion of the hand and packs the state. The plan must be current.
+  // Sets the motion of the hand and packs the state. The plan must be current, and the method have a step of its own: that of `auto` is
+  // computed by a FrameRunner (control/frame_runner.h).
   void begin(Plan& plan, const System& system, const Settings& settings, const State& state);
   // One substep; where nothing acts between them several, as many in every run; or, of an adaptive method, one of its own steps, so that
   // the time that a call takes is bounded.
@@ -42,6 +34,7 @@ class Frame {
   bool done() const { return substeps_done_ >= substeps_ || failure_ != StepFailure::None; }
   // Why the frame ended early; its state is then one within the frame.
   StepFailure failure() const { return failure_; }
+  const Integrator* method() const { return integrator_; }  // null: no frame yet
   int substeps_done() const { return substeps_done_; }
   double duration() const { return duration_; }  // [s]
   // Whether any point touched a collider or another point.
@@ -59,14 +52,8 @@ class Frame {
   long factorizations() const { return motion_.factorizations; }
   // All cost counters, and the method's own error estimate.
   const Motion& motion() const { return motion_; }
-  // [ms], of the frames that `auto` computed on copies so far and did not use, by the model of the cost.
-  double trial_cost() const;
-  // [ms], of what was computed of this frame, by the same model.
-  double cost(const Plan& plan) const;
 
  private:
-  void take_over(Frame& computed);
-  bool begin_islands(const Plan& plan, const System& system, const Settings& settings, const State& state);
   bool fly(Plan& plan);
   bool is_at_rest(const Plan& plan) const;
   void stay(long evaluations, long sweeps);
@@ -77,9 +64,6 @@ class Frame {
   void prepare_method(const Plan& plan, double h);
   double next_step(const Plan& plan) const;
 
-  AutomaticChoice automatic_;
-  std::unique_ptr<IslandFrames> islands_;  // null: none so far
-  bool is_divided_ = false;                // this frame is computed by them
   const Integrator* integrator_ = nullptr;
   double start_ = 0.0, duration_ = 0.0, h_ = 0.0;  // [s]
   int substeps_ = 0, substeps_done_ = 0;

@@ -14,7 +14,7 @@
 #include "sim/forces/motion.h"
 #include "sim/methods/integrator.h"
 #include "sim/statics/linear_motion.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "study/forecast.h"
 
 namespace hooke {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "scene/quantity.h"
-#include "scene/step_limits.h"
-#include "sim/step/frame_error.h"
+#include "scene/step_advice.h"
+#include "sim/control/frame_error.h"
 #include "study/check/copies.h"
 #include "study/check/finer_network.h"
 
@@ -221,7 +221,7 @@ ResultCheck check_result(const System& system, const State& state, const Setting
     check.note = "Stopped.";
     return check;
   }
-  if (!now.end.empty() && now.end.size() == half.end.size()) check.distance = weighted_distance(now.end, half.end, 1.0).rms;
+  if (!now.end.empty() && now.end.size() == half.end.size()) check.distance = weighted_distance(system, now.end, half.end, 1.0).rms;
   compare(now, half, finer ? &*finer : nullptr, check);
   return check;
 }

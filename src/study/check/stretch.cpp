@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sim/forces/energy/energy.h"
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 #include "study/check/copies.h"
 
 namespace hooke {

@@ -83,7 +83,7 @@ CurtainReference compute_curtain_reference(const TestNetwork& network) {
   for (Index i = 0; i < network.system.point_count(); ++i)
     if (!network.system.points()[i].nailed) perturbed.state.position[i] += random.vector(perturbation);
   const State end = hang(network);
-  return {end, rms_distance(end, hang(perturbed)) / perturbation};
+  return {end, rms_distance(network.system, end, hang(perturbed)) / perturbation};
 }
 
 Verdict judge_chaotic_curtain(const Integrator& method) {

@@ -221,7 +221,7 @@ Settings settings_for(const Integrator& method, const ContactScene& scene) {
   const System& system = scene.network.system;
   int implicit = scene.implicit_substeps;
   if (is_stable_at_any_step(method) && (implicit == 0 || method.implicit_solve == ImplicitSolve::None)) {
-    const double step = largest_stable_step(method, bound_spectrum(system));
+    const double step = StepLimits(bound_spectrum(system)).stable_step(method);
     implicit = std::isfinite(step) ? static_cast<int>(std::ceil(1.0 / (60.0 * scene.step_fraction * step) * (1.0 + 1e-9))) : 1;
   }
   return settings_for(method, system,

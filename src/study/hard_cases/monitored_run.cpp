@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "scene/step_limits.h"
+#include "scene/step_advice.h"
 #include "sim/step/divergence.h"
 
 namespace hooke {
@@ -61,7 +61,7 @@ std::string describe_stop(Lab& lab, const State& before) {
   return name;
 }
 
-double largest_step(const MonitoredRun& run) { return largest_stable_step(*run.settings().integrator, bound_spectrum(run.system())); }
+double largest_step(const MonitoredRun& run) { return StepLimits(bound_spectrum(run.system())).stable_step(*run.settings().integrator); }
 
 bool exceeds_stable_step(const MonitoredRun& run, double largest) { return run.settings().substep() > largest * (1.0 + round_off); }
 
@@ -114,7 +114,7 @@ Settings settings_for(const Integrator& method, const System& system, const Step
   Settings settings{.integrator = &method, .substeps = stepping.min};
   if (is_stable_at_any_step(method)) {
     settings.substeps = stepping.free;
-  } else if (const auto fewest = min_stable_substeps(method, bound_spectrum(system), settings.frame_rate * stepping.fraction)) {
+  } else if (const auto fewest = StepLimits(bound_spectrum(system)).stable_substeps(method, settings.frame_rate * stepping.fraction)) {
     if (*fewest <= stepping.max) settings.substeps = std::max(stepping.min, *fewest);
   }
   return settings;

@@ -6,7 +6,7 @@
 
 #include "base/formatted.h"
 #include "lab/lab.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "study/hard_cases/hard_case.h"
 #include "study/hard_cases/test_network.h"
 #include "study/run_monitor.h"

@@ -15,7 +15,7 @@
 #include "formats/scene_file.h"
 #include "sim/forces/single_precision.h"
 #include "sim/model/portable_math.h"
-#include "sim/step/step.h"
+#include "sim/control/frame_runner.h"
 #include "study/benchmark.h"
 
 namespace hooke {
@@ -197,7 +197,7 @@ KernelTime measure_kernel(const KernelCase& row, int n, bool quick) {
     const std::chrono::duration<double> real = std::chrono::steady_clock::now().time_since_epoch();
     return row.threads > 1 ? real.count() : cpu_seconds();
   };
-  Frame frame;
+  FrameRunner frame;
   const auto take_frame = [&] {
     const double start = now();
     frame.begin(plan, scene.system, scene.settings, scene.state);

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "lab/lab.h"
-#include "sim/step/automatic/automatic.h"
-#include "sim/step/automatic/trials.h"
+#include "sim/methods/step_limits.h"
 #include "study/benchmark.h"
 
 namespace hooke {
@@ -23,7 +22,7 @@ constexpr int min_implicit_substeps = 2, max_measured_substeps = 400;
 
 int substeps_to_measure(const Scene& scene, const Integrator& method) {
   if (method.stability == Stability::Adaptive) return 1;
-  const int stable = stable_substeps(method, make_plan(scene.system).spectrum, scene.settings.frame_rate);
+  const int stable = StepLimits(make_plan(scene.system).spectrum).stable_substeps(method, scene.settings.frame_rate).value_or(max_measured_substeps);
   const int min = method.implicit_solve == ImplicitSolve::None ? scene.settings.substeps : min_implicit_substeps;
   return std::min(std::max(2 * std::min(stable, max_measured_substeps), min), max_measured_substeps);
 }

@@ -12,7 +12,7 @@
 #include "edit/apply.h"
 #include "lab/lab.h"
 #include "sim/contact/contact.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "study/remedy/trial_work.h"
 #include "study/run_monitor.h"
 
@@ -104,7 +104,7 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
   using enum Remedy::Cause;
   const Settings& settings = start.settings;
   const bool has_own_steps = settings.integrator->stability == Stability::Adaptive;
-  if (!has_own_steps && settings.substep() > largest_stable_step(*settings.integrator, bound_spectrum(start.system))) return StepTooLong;
+  if (!has_own_steps && settings.substep() > StepLimits(bound_spectrum(start.system)).stable_step(*settings.integrator)) return StepTooLong;
 
   const System& system = start.system;
   const bool has_forces = std::ranges::any_of(system.forces, &Force::on);
@@ -129,19 +129,19 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
 
 // At least so many substeps, and those that resolve the oscillations of the colliders, if there are not too many.
 int resolving_oscillations(const StepNeeds& needs, const Integrator& method, double frame_rate, int substeps) {
-  return std::max(substeps, resolving_substeps({.oscillation = needs.oscillation}, method, frame_rate).value_or(1));
+  return std::max(substeps, StepLimits({}, {.oscillation = needs.oscillation}).resolving_substeps(method, frame_rate).value_or(1));
 }
 
 // Settings to try, the most likely and cheapest first: the current method and then the default one, each with ever smaller steps, then the
 // methods that are stable at any step, and those that choose their steps: these first where no number of substeps resolves a passage.
 std::vector<Advice> candidates(const Scene& start) {
   const Settings& settings = start.settings;
-  const Spectrum spectrum = bound_spectrum(start.system);
   const StepNeeds needs = step_needs(start.system, start.state);
+  const StepLimits limits(bound_spectrum(start.system), needs);
   std::vector<Advice> list;
   const auto add_refinements = [&](const Integrator& method, int min_substeps) {
-    const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate);
-    const auto resolving = resolving_substeps(needs, method, settings.frame_rate);
+    const auto limit = limits.stable_substeps(method, settings.frame_rate);
+    const auto resolving = limits.resolving_substeps(method, settings.frame_rate);
     if (!limit || !resolving || method.stability == Stability::None) return;
     constexpr int refinements = 5;
     double substeps =
@@ -154,7 +154,7 @@ std::vector<Advice> candidates(const Scene& start) {
       if (method.stability == Stability::Adaptive && method.for_production && &method != settings.integrator)
         list.push_back({&method, settings.substeps});
   };
-  const bool is_for_adaptive = !resolving_substeps(needs, default_integrator(), settings.frame_rate);
+  const bool is_for_adaptive = !limits.resolving_substeps(default_integrator(), settings.frame_rate);
   if (is_for_adaptive) add_adaptive();
   if (!is_automatic(settings)) add_refinements(*settings.integrator, 2 * std::min(settings.substeps, max_substeps / 2));
   if (settings.integrator != &default_integrator()) add_refinements(default_integrator(), settings.substeps);
@@ -162,7 +162,7 @@ std::vector<Advice> candidates(const Scene& start) {
     if (!is_unconditionally_stable(method) || !method.for_production || &method == settings.integrator) continue;
     std::vector<int> numbers{settings.substeps, std::min(max_substeps, 4 * settings.substeps)};
     // listed forces that are not part of its linear system may limit its step
-    if (const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate); limit && *limit > numbers.back())
+    if (const auto limit = limits.stable_substeps(method, settings.frame_rate); limit && *limit > numbers.back())
       numbers.push_back(std::min(max_substeps, 2 * *limit));
     for (const int substeps : numbers) {
       const Advice advice{&method, resolving_oscillations(needs, method, settings.frame_rate, substeps)};
@@ -220,9 +220,9 @@ std::optional<std::pair<Advice, std::vector<std::string>>> find_implicit(const S
 }
 
 std::optional<int> linear_limit(const Integrator& method, const Scene& scene) {
-  const Spectrum spectrum = bound_spectrum(scene.system);
-  if (!std::isfinite(largest_stable_step(method, spectrum))) return std::nullopt;
-  return min_stable_substeps(method, spectrum, scene.settings.frame_rate);
+  const StepLimits limits(bound_spectrum(scene.system));
+  if (!std::isfinite(limits.stable_step(method))) return std::nullopt;
+  return limits.stable_substeps(method, scene.settings.frame_rate);
 }
 
 std::string seconds_text(double seconds) { return quantity_text(seconds, "s", 3); }

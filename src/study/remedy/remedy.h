@@ -9,7 +9,7 @@
 
 #include "lab/status.h"
 #include "scene/scene.h"
-#include "scene/step_limits.h"
+#include "scene/step_advice.h"
 
 namespace hooke {
 

@@ -13,7 +13,7 @@ double work_beside_substeps(double points, double springs, double frames) {
   return frames * (of_frame + of_point * points + of_spring * springs);
 }
 
-double TrialWork::since_last(const Frame& frame, bool is_finished) {
+double TrialWork::since_last(const FrameRunner& frame, bool is_finished) {
   constexpr double ns_per_ms = 1e6;
   // what each call costs by itself [ns], which the cost model of `auto` leaves out
   constexpr double call = 250.0;

@@ -1,7 +1,7 @@
 // The work of stepping a copy of a scene, from counts: the same on every machine. A limit on it limits the time of a search.
 #pragma once
 
-#include "sim/step/step.h"
+#include "sim/control/frame_runner.h"
 
 namespace hooke {
 
@@ -14,7 +14,7 @@ class TrialWork {
   explicit TrialWork(const Plan& plan) : plan_(plan) {}
   // [ns], approximately, of what was computed since the last call: of the frame in progress or, at its end, of the rest of it. To be called
   // after every substep, and with `is_finished` after the frame.
-  double since_last(const Frame& frame, bool is_finished);
+  double since_last(const FrameRunner& frame, bool is_finished);
 
  private:
   const Plan& plan_;

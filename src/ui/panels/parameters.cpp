@@ -7,7 +7,7 @@
 #include "scene/parameter_groups.h"
 #include "scene/parameters.h"
 #include "sim/methods/integrator.h"
-#include "sim/step/automatic/automatic.h"
+#include "sim/control/automatic.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
 #include "ui/panels/mixed_values.h"
@@ -133,7 +133,7 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
     ImGui::PushFont(fonts().small);
     begin_row("Chosen");
     const Settings& settings = input.status.snapshot->settings;
-    paragraph(describe(input.status.snapshot->state.memory, settings),
+    paragraph(describe(*choice, settings),
               is_tolerance_met(*choice, settings) ? palette::dim : palette::warning);
     ImGui::PopFont();
   }

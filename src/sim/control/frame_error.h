@@ -11,7 +11,7 @@
 namespace hooke {
 
 struct FrameError {
-  double rms = 0.0, max = 0.0;  // [m], over all points
+  double rms = 0.0, max = 0.0;  // [m], over the points that are not nailed
 };
 
 // The settings of the repetition: half the step; for a method that adapts its step a thousandth of the tolerance, with contact a tenth, and
@@ -22,9 +22,11 @@ Settings refined(const System& system, const Settings& settings);
 
 // The order of the positions on this scene: the lowest of those that apply to what it contains.
 int effective_order(const System& system, const Integrator& method);
+// The same while nothing touches.
+int free_order(const System& system, const Integrator& method);
 
 // Factor from the difference to the repetition to the error: 2^p / (2^p - 1) for a method of order p (Richardson), or 1 where the
-// repetition is exact in comparison. Of the lowest order, where parts of the scene have their own methods.
+// repetition is exact in comparison.
 double refinement_weight(const System& system, const Settings& settings);
 
 // Explicit steps that resolve every vibration of the springs, for a method that dissipates those faster than its step (h omega > 1): with
@@ -45,8 +47,9 @@ Repetition repetition_of(const Plan& plan, const System& system, const Settings&
 // the step may miss the same parts of them. A method that adapts its step takes shorter ones.
 bool resolves_colliders(const Plan& plan, const Settings& used);
 
-// `weight` times the distance between the positions of two states of the same scene.
-FrameError weighted_distance(const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight);
+// `weight` times the distance between the positions of two states of the scene, over the points that are not nailed: nails, which have no
+// error, must not dilute that of the others.
+FrameError weighted_distance(const System& system, const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight);
 
 // The error that the method of `settings` makes in the one frame that follows `state`: RMS over the points [m]. Costs three frames, and
 // allocates. With `auto`, of the method and substeps that it chooses for that frame.

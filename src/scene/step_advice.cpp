@@ -1,4 +1,4 @@
-#include "scene/step_limits.h"
+#include "scene/step_advice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,7 @@
 #include "base/bounds.h"
 #include "base/file_limits.h"
 #include "base/number_text.h"
-#include "sim/step/automatic/automatic.h"
-#include "sim/step/automatic/trials.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 namespace {
@@ -33,20 +32,6 @@ double max_speed(const System& system, const State& state) {
   return max;
 }
 
-struct Oscillation {
-  std::size_t collider = 0;
-  double resolving_step = std::numeric_limits<double>::infinity();  // [s]; infinity: there is none
-};
-Oscillation fastest_oscillation(const System& system) {
-  Oscillation fastest;
-  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
-    ColliderPath path = system.colliders[c].path;
-    if (system.dimensions == 2) path.amplitude.z = 0.0;
-    if (system.colliders[c].solid && path.resolving_step() < fastest.resolving_step) fastest = {c, path.resolving_step()};
-  }
-  return fastest;
-}
-
 std::string describe(const Passage& passage) {
   return std::string("a point may ") + (passage.at_plane ? "reach a plane that attracts it at " : "pass the center of a force at ") +
          quantity_text(passage.speed, "m/s", 2) + " and " + quantity_text(passage.length, "m", 2);
@@ -55,72 +40,42 @@ std::string describe(const Passage& passage) {
 // Whether the step is within the limit but for contact.
 bool is_short_without_contact(const Settings& settings, Spectrum spectrum) {
   spectrum.contact = spectrum.points_touch = false;
-  return settings.substep() <= largest_stable_step(*settings.integrator, spectrum);
+  return settings.substep() <= StepLimits(spectrum).stable_step(*settings.integrator);
 }
 
 }  // namespace
 
-std::optional<int> min_stable_substeps(const Integrator& integrator, const Spectrum& spectrum, double frame_rate) {
-  const double step = largest_stable_step(integrator, spectrum);
-  if (step == 0.0) return std::nullopt;
-  const double substeps = std::ceil(1.0 / (frame_rate * step) * (1.0 + 1e-9));
-  if (!(substeps <= max_substeps)) return std::nullopt;
-  return std::max(1, static_cast<int>(substeps));
-}
-
-StepNeeds step_needs(const System& system, const State& state) {
-  return {recommended_margin(system, state), shortest_passage(system, state), fastest_oscillation(system).resolving_step};
-}
-
-std::optional<int> resolving_substeps(const StepNeeds& needs, const Integrator& integrator, double frame_rate) {
-  double step = longest_step(needs.passage, integrator);
-  if (integrator.stability != Stability::Adaptive) step = std::min(step, needs.oscillation);
-  const double substeps = std::ceil(1.0 / (frame_rate * step) * (1.0 - 1e-9));
-  if (!(substeps <= max_substeps)) return std::nullopt;
-  return std::max(1, static_cast<int>(substeps));
-}
-
-std::optional<int> recommended_substeps(const Spectrum& spectrum, const Settings& settings, const StepNeeds& needs) {
-  const auto limit = min_stable_substeps(*settings.integrator, spectrum, settings.frame_rate);
-  const auto resolving = resolving_substeps(needs, *settings.integrator, settings.frame_rate);
-  if (!limit || !resolving) return std::nullopt;
-  return std::max(with_margin(*limit, needs.margin), *resolving);
-}
-
-Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, const StepNeeds& needs) {
+Advice suggest_stepping(const StepLimits& limits, const Settings& settings) {
   const Integrator& method = *settings.integrator;
-  const auto substeps_of = [&](const Integrator& integrator) {
-    Settings other = settings;
-    other.integrator = &integrator;
-    return recommended_substeps(spectrum, other, needs);
-  };
+  const auto substeps_of = [&](const Integrator& integrator) { return limits.recommended_substeps(integrator, settings.frame_rate); };
   // a method that amplifies every undamped mode also amplifies transverse motion, which dashpots do not damp
   if (const auto substeps = substeps_of(method); substeps && method.stability != Stability::None)
     return {&method, settings.substeps < *substeps ? *substeps : std::min(max_substeps, 4 * settings.substeps)};
   const Integrator& fallback = default_integrator();
   if (const auto substeps = substeps_of(fallback)) return {&fallback, *substeps};
   // a passage that takes so many steps of the same length takes few that are adapted
-  const auto resolving = resolving_substeps(needs, fallback, settings.frame_rate);
+  const auto resolving = limits.resolving_substeps(fallback, settings.frame_rate);
   if (!resolving) return {&adaptive_integrator(), settings.substeps};
   // its limit is that of listed forces, which are part of the implicit system only in part
   const Integrator& stiff = stiff_integrator();
-  const auto substeps = min_stable_substeps(stiff, spectrum, settings.frame_rate);
+  const auto substeps = limits.stable_substeps(stiff, settings.frame_rate);
   return {&stiff,
-          std::max(*resolving, substeps && *substeps > settings.substeps ? with_margin(*substeps, needs.margin) : settings.substeps)};
+          std::max(*resolving, substeps && *substeps > settings.substeps ? with_margin(*substeps, limits.needs().margin) : settings.substeps)};
 }
 
 std::optional<std::string> step_warning(const System& system, const State& state, const Settings& settings) {
   const Spectrum spectrum = bound_spectrum(system, max_speed(system, state));
   const StepNeeds needs = step_needs(system, state);
+  const StepLimits limits(spectrum, needs);
   const Integrator& method = *settings.integrator;
-  const bool is_within_limit = settings.substep() <= largest_stable_step(method, spectrum);
+  const bool is_within_limit = settings.substep() <= limits.stable_step(method);
   // oscillations of colliders have a warning of their own
-  const auto resolving = resolving_substeps(StepNeeds{.passage = needs.passage}, method, settings.frame_rate);
+  const auto resolving = StepLimits(spectrum, {.passage = needs.passage}).resolving_substeps(method, settings.frame_rate);
   if (is_within_limit && resolving && settings.substeps >= *resolving) return std::nullopt;
 
   const std::string id(method.id);
-  const Advice advice = suggest_stepping(spectrum, settings, needs);
-  if (const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate); limit && advice.integrator == &method) {
+  const Advice advice = suggest_stepping(limits, settings);
+  if (const auto limit = limits.stable_substeps(method, settings.frame_rate); limit && advice.integrator == &method) {
     // the bound of a listed force is that of its strongest point, which the scene may never reach
     const bool is_of_forces = std::hypot(spectrum.force_omega, spectrum.estimated_omega) > 0.5 * spectrum.omega;
     const bool has_margin = is_within_limit || *limit <= max_substeps / needs.margin;
@@ -138,10 +93,10 @@ std::optional<std::string> step_warning(const System& system, const State& state
                                  : "needs more than " + std::to_string(max_substeps) + " substeps per frame";
   const std::string other(advice.integrator->id);
   // only a bound on the step can be recommended without a test
-  if (!std::isfinite(largest_stable_step(*advice.integrator, spectrum)))
+  if (!std::isfinite(limits.stable_step(*advice.integrator)))
     return "simulation.integrator: " + id + ": " + reason + " here; " + other + " has no linear limit, but is not tested on this scene";
   if (advice.integrator == &method) return "simulation.integrator: " + id + ": " + reason + " here";
-  if (!min_stable_substeps(*advice.integrator, spectrum, settings.frame_rate))
+  if (!limits.stable_substeps(*advice.integrator, settings.frame_rate))
     return "simulation.integrator: " + id + ": " + reason + " here, and " +
            (method.stability == Stability::None ? other + " needs more than " + std::to_string(max_substeps) + " substeps per frame"
                                                 : "so does " + other);

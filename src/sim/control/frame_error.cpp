@@ -1,4 +1,4 @@
-#include "sim/step/frame_error.h"
+#include "sim/control/frame_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include "sim/contact/contact.h"
 #include "sim/methods/rows.h"
 #include "sim/model/portable_math.h"
-#include "sim/step/automatic/automatic.h"
-#include "sim/step/automatic/cost_model.h"
-#include "sim/step/automatic/trials.h"
-#include "sim/step/step.h"
+#include "sim/control/automatic.h"
+#include "sim/control/cost_model.h"
+#include "sim/control/frame_runner.h"
+#include "sim/methods/step_limits.h"
 
 namespace hooke {
 namespace {
@@ -23,12 +23,17 @@ bool acts_once_per_substep(const System& system) { return has_surface_contact(sy
 
 }  // namespace
 
-int effective_order(const System& system, const Integrator& method) {
+int free_order(const System& system, const Integrator& method) {
   int order = method.order;
   if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
   if (std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; }))
     order = std::min(order, method.order_damped);
   if (std::ranges::any_of(system.forces, &Force::on)) order = std::min(order, method.order_force_terms);
+  return order;
+}
+
+int effective_order(const System& system, const Integrator& method) {
+  int order = free_order(system, method);
   if (has_contact(system)) order = std::min(order, method.order_contact);
   if (has_surface_contact(system)) order = std::min(order, surface_contact_order);
   return order;
@@ -43,7 +48,6 @@ Settings refined(const System& system, const Settings& settings) {
   }
   if (settings.integrator->stability != Stability::Adaptive) {
     fine.substeps *= 2;
-    for (IslandSteps& steps : fine.islands) steps.substeps *= 2;
     return fine;
   }
   // a tolerance that is set applies to contact too, where a tighter one is expensive: friction is of first order. Contact of faces and
@@ -63,7 +67,6 @@ double refinement_weight(const System& system, const Settings& settings) {
   constexpr int limit_order = 1;
   int order = effective_order(system, *settings.integrator);
   if (adapts && system.strain_limit > 0.0) order = limit_order;
-  for (const IslandSteps& steps : settings.islands) order = std::min(order, effective_order(system, *steps.integrator));
   const double factor = std::ldexp(1.0, order);
   return factor / (factor - 1.0);
 }
@@ -76,7 +79,7 @@ enum class FastDashpots { Excluded, Resolved };
 
 std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio, FastDashpots dashpots) {
   const Integrator& method = *settings.integrator;
-  const bool dissipates = method.energy == EnergyTrend::Falls && method.stability != Stability::Adaptive && settings.islands.empty();
+  const bool dissipates = method.energy == EnergyTrend::Falls && method.stability != Stability::Adaptive;
   if (!dissipates) return std::nullopt;
   const double h_omega = plan.spectrum.omega * settings.substep();
   const Amplification fastest = method.amplification({.h_omega_squared = h_omega * h_omega});
@@ -87,7 +90,8 @@ std::optional<Settings> resolving(const Plan& plan, const Settings& settings, do
   const CostModel model(plan);
   const double max_cost = std::max(cheap, max_ratio * model.expected(method, settings.substeps));
   for (const Integrator* each : {&blanes_moan4, &velocity_verlet}) {
-    const double substeps = margin * stable_substeps(*each, plan.spectrum, settings.frame_rate);
+    const auto stable = StepLimits(plan.spectrum).stable_substeps(*each, settings.frame_rate);
+    const double substeps = stable ? margin * *stable : max_automatic_substeps + 1.0;
     if (!(substeps <= max_automatic_substeps)) continue;
     Settings fine = settings;
     fine.integrator = each;
@@ -121,22 +125,23 @@ bool resolves_colliders(const Plan& plan, const Settings& used) {
   if (!std::isfinite(plan.resolving_step)) return true;
   constexpr double rounding = 1e-9;
   const double max_step = plan.resolving_step * (1.0 + rounding);
-  for (const IslandSteps& steps : used.islands)
-    if (!(1.0 / (used.frame_rate * steps.substeps) <= max_step)) return false;
-  if (!used.islands.empty() || used.integrator->stability == Stability::Adaptive) return true;
+  if (used.integrator->stability == Stability::Adaptive) return true;
   return used.substep() <= max_step;
 }
 
-FrameError weighted_distance(const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight) {
+FrameError weighted_distance(const System& system, const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight) {
   double sum = 0.0, max = 0.0;
+  Index count = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
+    if (system.points()[i].nailed) continue;
     const Vec3 difference = first[i] - second[i];
     const double square = glm::dot(difference, difference);
     sum += square;
     max = std::max(max, square);
+    ++count;
   }
-  if (first.empty()) return {};
-  return {weight * std::sqrt(sum / static_cast<double>(first.size())), weight * std::sqrt(max)};
+  if (count == 0) return {};
+  return {weight * std::sqrt(sum / count), weight * std::sqrt(max)};
 }
 
 double estimate_frame_error(const System& system, const Settings& settings, const State& state) {
@@ -144,7 +149,7 @@ double estimate_frame_error(const System& system, const Settings& settings, cons
   bool failed = false;
   const auto step = [&](const Settings& with) {
     Plan plan = make_plan(system);
-    Frame frame;
+    FrameRunner frame;
     State to = state;
     frame.begin(plan, system, with, state);
     while (!frame.done()) frame.substep(plan);
@@ -157,7 +162,7 @@ double estimate_frame_error(const System& system, const Settings& settings, cons
   const Repetition repetition = repetition_of(make_plan(system), system, used);
   const State fine = step(repetition.settings);
   if (failed) return std::numeric_limits<double>::infinity();
-  return weighted_distance(coarse.position, fine.position, repetition.weight).rms;
+  return weighted_distance(system, coarse.position, fine.position, repetition.weight).rms;
 }
 
 }  // namespace hooke

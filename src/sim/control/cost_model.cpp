@@ -1,10 +1,8 @@
-#include "sim/step/automatic/cost_model.h"
+#include "sim/control/cost_model.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-
-#include "sim/step/automatic/leapfrog.h"
 
 namespace hooke {
 namespace {
@@ -18,7 +16,7 @@ constexpr double contact_test = 45.0, contact_impulse = 18.0;
 }  // namespace
 
 CostModel::CostModel(const Plan& plan) {
-  const double points = plan.points, springs = plan.springs, dimensions = plan.dimensions;
+  const double points = static_cast<double>(std::ranges::count_if(plan.inverse_mass, [](double w) { return w != 0.0; })), springs = plan.springs, dimensions = plan.dimensions;
   force_ = 2.8 * springs + 0.4 * points + 80.0;
   for (const Force& force : plan.forces) {
     const ForceCost cost = force.term->cost != nullptr ? force.term->cost(plan, force.values) : ForceCost{};
@@ -41,7 +39,7 @@ CostModel::CostModel(const Plan& plan) {
 
   // a chain fills nothing in; of the springs of a net that close loops, each separates regions of about sqrt(n) points
   const double loops = std::max(0.0, springs / std::max(1.0, points) - 1.0), area = dimensions * dimensions / 9.0;
-  const double levels = std::bit_width(static_cast<unsigned>(plan.points));
+  const double levels = std::bit_width(static_cast<unsigned>(points));
   factorization_ = area * points * (140.0 + 10.0 * loops * std::sqrt(points)) + 100.0;
   solve_ = area * points * (95.0 + 5.0 * loops * levels) + force_;
 }
@@ -70,7 +68,7 @@ double CostModel::expected(const Integrator& method, int substeps) const {
   }
   if (method.stability == Stability::EachSpring) return ms_per_ns * substeps * (sweep_ + between);
   const int evaluations = method.order <= 2 ? 1 : method.symplectic ? 6 : method.order;
-  const double dashpots = splits_dashpots(method) ? 2.0 * dashpots_ : 0.0;
+  const double dashpots = method.splits_dashpots ? 2.0 * dashpots_ : 0.0;
   return ms_per_ns * (substeps * (evaluations * evaluation(method) + dashpots + between) + force_);
 }
 

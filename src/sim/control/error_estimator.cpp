@@ -1,0 +1,77 @@
+#include "sim/control/error_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
+
+#include "sim/control/constants.h"
+#include "sim/control/frame_error.h"
+
+namespace hooke {
+
+int order_of(const System& system, const Integrator& method, const FrameEnd& end) {
+  const bool is_smooth = end.is_finite && !end.has_touched && end.broken.empty() && system.strain_limit == 0.0;
+  return is_smooth ? free_order(system, method) : 1;
+}
+
+int runs_needed(const Integrator& method) { return method.order > 2 ? 3 : 2; }
+
+FrameEnd& FrameRuns::add() {
+  std::swap(ends_[1], ends_[2]);
+  std::swap(ends_[0], ends_[1]);
+  ++count_;
+  return ends_[0];
+}
+
+bool FrameRuns::have_events() const {
+  const auto has_event = [](const FrameEnd& end) { return end.has_touched || !end.broken.empty(); };
+  return has_event(ends_[0]) || (count_ > 1 && has_event(ends_[1]));
+}
+
+double FrameRuns::error(const System& system, const Integrator& method) const {
+  constexpr int max_order = 2;
+  const int order = have_events() ? 1 : std::min(max_order, order_of(system, method, ends_[0]));
+  const double reduction = std::ldexp(1.0, order);
+  const auto error_of = [&](const FrameEnd& coarse, const FrameEnd& fine) {
+    const bool agree = coarse.is_finite && fine.is_finite && coarse.broken == fine.broken;
+    if (!agree) return std::numeric_limits<double>::infinity();
+    return weighted_distance(system, coarse.position, fine.position, 1.0 / (reduction - 1.0)).rms;
+  };
+  const double last = error_of(ends_[1], ends_[0]);
+  return count_ > 2 && runs_needed(method) > 2 ? std::max(last, error_of(ends_[2], ends_[1]) / reduction) : last;
+}
+
+bool is_calm(const Plan& plan, const State& state, double duration) {
+  const bool has_events = plan.has_contact() || !plan.break_length.empty() || !plan.max_length.empty() || plan.held || plan.pull ||
+                          plan.grabbed_collider || !plan.forces.empty();
+  if (has_events) return false;
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const Index first = plan.listed_index(run.first + e), second = plan.listed_index(run.second + e);
+      const double length = glm::distance(state.position[first], state.position[second]);
+      const double speed = glm::distance(state.velocity[first], state.velocity[second]);
+      if (!(speed * duration <= control::max_turn * length)) return false;
+    }
+  return true;
+}
+
+// m v^2 + k (l - l0)^2 >= k (L - l0)^2 / 4, m the reduced mass of both ends
+bool may_break(const Plan& plan, const State& state) {
+  if (plan.break_length.empty()) return false;
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const Index s = run.begin + e, first = run.first + e, second = run.second + e;
+      const double w = plan.inverse_mass[first] + plan.inverse_mass[second];
+      if (!std::isfinite(plan.break_length[s]) || w == 0.0) continue;
+      const Index i = plan.listed_index(first), j = plan.listed_index(second);
+      const Vec3 relative = state.velocity[i] - state.velocity[j];
+      const double stretch = glm::distance(state.position[i], state.position[j]) - plan.rest_length[s];
+      const double half = 0.5 * (plan.break_length[s] - plan.rest_length[s]);
+      if (glm::dot(relative, relative) / w + plan.stiffness[s] * stretch * stretch >= plan.stiffness[s] * half * half) return true;
+    }
+  return false;
+}
+
+}  // namespace hooke

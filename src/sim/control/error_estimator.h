@@ -1,0 +1,59 @@
+// The error of a frame, from several runs of it, each with twice the substeps of the one before. The finest one is kept.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/methods/integrator.h"
+#include "sim/model/state.h"
+#include "sim/model/system.h"
+#include "sim/plan/plan.h"
+
+namespace hooke {
+
+// Where a frame ended that was computed with one number of substeps.
+struct FrameEnd {
+  std::vector<Vec3> position;  // [m]
+  std::vector<Index> broken;   // springs, indices in the System
+  bool has_touched = false;
+  bool is_finite = false;  // no step failed, and every coordinate is a number
+};
+
+// The order with which the error of such a frame falls: that of the method on this scene, but 1 where something touched or broke.
+int order_of(const System& system, const Integrator& method, const FrameEnd& end);
+
+// How many runs an estimate takes: a pair shows the error of a method of second order, which is close to its asymptotic range at the
+// tolerances of an interactive program; those of higher order often are not, and a third run shows it.
+int runs_needed(const Integrator& method);
+
+// The runs of one frame, each with more substeps than the one before, usually twice as many.
+class FrameRuns {
+ public:
+  void restart() { count_ = 0; }
+  // Where the end of the next run goes.
+  FrameEnd& add();
+  int count() const { return count_; }
+  const FrameEnd& finest() const { return ends_[0]; }
+  FrameEnd& finest() { return ends_[0]; }
+  // Whether something touched or broke in one of the last two.
+  bool have_events() const;
+  // RMS error [m] of the finest over the free points, from at least two runs:
+  //   |x(n) - x(n/2)| / (2^p - 1)     (Richardson)
+  // with p = 2 at most, and not less than the same of the two runs before, divided by 2^p. Infinity if one of them failed, or if springs broke
+  // in only one of them.
+  double error(const System& system, const Integrator& method) const;
+
+ private:
+  std::array<FrameEnd, 3> ends_;  // the finest first
+  int count_ = 0;
+};
+
+// Whether nothing can make the error of the coming frame much larger than that of the last one: nothing touches, breaks or is held, and no
+// spring turns or changes its length by more than control::max_turn within `duration` [s]. Then also none passes through zero length.
+bool is_calm(const Plan& plan, const State& state, double duration);
+
+// Whether a spring may break in the coming frame: its own energy, that of its ends relative to each other included, could stretch it to half
+// of its limit.
+bool may_break(const Plan& plan, const State& state);
+
+}  // namespace hooke

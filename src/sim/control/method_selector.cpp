@@ -1,0 +1,142 @@
+#include "sim/control/method_selector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "sim/control/automatic.h"
+#include "sim/control/cost_model.h"
+#include "sim/control/frame_error.h"
+#include "sim/control/step_controller.h"
+#include "sim/step/divergence.h"
+
+namespace hooke {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Whether vibrations that are too fast for its step disappear: half the step then agrees on what both lost.
+bool damps_vibrations(const Integrator& method) {
+  return method.energy == EnergyTrend::Falls || method.stability == Stability::EachSpring;
+}
+
+}  // namespace
+
+void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& start, State& scratch) {
+  scratch = start;
+  frame.end(plan, scratch);
+  end.position = scratch.position;
+  end.broken.assign(frame.broken().begin(), frame.broken().end());
+  end.has_touched = frame.has_touched();
+  end.is_finite = frame.failure() == StepFailure::None && is_finite(scratch);
+}
+
+int first_substeps(const Integrator& method, int substeps) {
+  const int factor = 1 << (runs_needed(method) - 1);
+  return (substeps + factor - 1) / factor;
+}
+
+std::optional<int> min_automatic_substeps(const StepLimits& limits, const Integrator& method, double frame_rate) {
+  const Spectrum& spectrum = limits.spectrum();
+  const auto min = limits.min_substeps(method, frame_rate);
+  if (!min) return std::nullopt;
+  double rate = method.splits_dashpots ? spectrum.dashpot_rate : 0.0;
+  // contact takes the path of a step for a parabola, which that of a method with many stages need not be
+  constexpr int parabolic_order = 2;
+  if (spectrum.contact && method.order > parabolic_order) rate = std::max(rate, spectrum.omega);
+  const double resolving = std::ceil(rate / frame_rate);
+  if (!(std::max<double>(*min, resolving) <= max_automatic_substeps / 4)) return std::nullopt;
+  return std::max(*min, static_cast<int>(resolving));
+}
+
+// One run of the frame, and its cost [ms]; its end is not finite if that is more than `max_cost`.
+double MethodSelector::compute(const Scene& scene, const Integrator& method, int substeps, double max_cost, FrameEnd& end) {
+  refresh_values(plan_, scene.system);  // restores springs that broke in the run before
+  const CostModel model(plan_);
+  Settings settings = scene.settings;
+  settings.integrator = &method;
+  settings.substeps = substeps;
+  frame_.begin(plan_, scene.system, settings, scene.state);
+  double cost = 0.0;
+  while (!frame_.done() && cost <= max_cost) {
+    frame_.substep(plan_);
+    cost = model.of(method, frame_.motion(), frame_.substeps_done());
+  }
+  total_cost_ += cost;
+  end.is_finite = false;
+  if (frame_.done()) set_end(end, frame_, plan_, scene.state, scratch_);
+  return cost;
+}
+
+// Refines the step until the share is met, or that would cost too much.
+FrameTrial MethodSelector::refine(const Scene& scene, const Integrator& method, int min_substeps, double max_cost) {
+  FrameTrial trial{.method = &method, .substeps = min_substeps, .error = infinity};
+  runs_.restart();
+  while (true) {
+    const double cost = compute(scene, method, trial.substeps, max_cost - trial.cost, runs_.add());
+    trial.cost += cost;
+    if (runs_.count() < runs_needed(method)) {
+      trial.substeps *= 2;
+      continue;
+    }
+    trial.error = runs_.error(scene.system, method);
+    if (is_accepted(trial.error, scene.share)) return trial;
+    const int order = order_of(scene.system, method, runs_.finest());
+    const int more = refined_substeps({.substeps = trial.substeps, .error = trial.error, .order = order}, scene.share);
+    if (more > max_automatic_substeps || 1.5 * cost * more / trial.substeps > max_cost) return trial;
+    // the cost of a frame is that of the runs of its estimate
+    trial.cost = cost;
+    if (more > 2 * trial.substeps) {
+      runs_.restart();
+      trial.cost = 0.0;
+    }
+    trial.substeps = runs_.count() > 0 ? more : first_substeps(method, more);
+  }
+}
+
+// Whether the finest run agrees with one of a method that damps nothing, with stable steps; yes if that costs too much.
+bool MethodSelector::keeps_vibrations(const Scene& scene, const FrameTrial& trial, double max_cost) {
+  const Integrator& exact = default_integrator();
+  const auto substeps = min_automatic_substeps(scene.limits, exact, scene.settings.frame_rate);
+  if (!substeps || CostModel(plan_).expected(exact, 2 * *substeps) > max_cost) return true;
+  compute(scene, exact, std::max(2 * *substeps, trial.substeps), max_cost, with_all_);
+  return !with_all_.is_finite || weighted_distance(scene.system, with_all_.position, runs_.finest().position, 1.0).rms <= scene.share;
+}
+
+FrameTrial MethodSelector::select(const Plan& plan, const System& system, const Settings& settings, const State& state,
+                                  const StepLimits& limits, double share, double max_cost) {
+  plan_ = plan;
+  const Scene scene{system, settings, state, limits, share, max_cost};
+  const CostModel model(plan_);
+  struct Candidate {
+    const Integrator* method;
+    int min_substeps;
+    double cost;  // [ms], at least
+  };
+  std::vector<Candidate> candidates;
+  for (const Integrator& method : integrators()) {
+    if (!method.for_production || method.stability == Stability::Adaptive) continue;
+    const auto min = min_automatic_substeps(limits, method, settings.frame_rate);
+    if (min) candidates.push_back({&method, *min, 1.5 * model.expected(method, *min << (runs_needed(method) - 1))});
+  }
+  std::ranges::stable_sort(candidates, {}, &Candidate::cost);
+
+  FrameTrial best{.error = infinity, .cost = max_cost};
+  bool is_met = false;
+  const double start = total_cost_;
+  for (const Candidate& candidate : candidates) {
+    if (is_met && candidate.cost >= best.cost) break;
+    if (best.method != nullptr && total_cost_ - start > max_cost) break;
+    const FrameTrial trial = refine(scene, *candidate.method, candidate.min_substeps, best.cost);
+    const bool meets = is_accepted(trial.error, share);
+    if (meets && damps_vibrations(*trial.method) && !keeps_vibrations(scene, trial, max_cost)) continue;
+    const bool is_better = meets ? !is_met || trial.cost < best.cost : !is_met && (best.method == nullptr || trial.error < best.error);
+    if (!is_better) continue;
+    best = {trial.method, trial.substeps, trial.error, meets ? trial.cost : max_cost};
+    is_met = meets;
+  }
+  return best;
+}
+
+}  // namespace hooke

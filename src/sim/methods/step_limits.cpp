@@ -1,0 +1,58 @@
+#include "sim/methods/step_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/file_limits.h"
+
+namespace hooke {
+namespace {
+
+std::optional<int> substeps_of(double step, double frame_rate, double rounding) {
+  const double substeps = std::ceil(1.0 / (frame_rate * step) * rounding);
+  if (!(substeps <= max_substeps)) return std::nullopt;
+  return std::max(1, static_cast<int>(substeps));
+}
+
+}  // namespace
+
+Oscillation fastest_oscillation(const System& system) {
+  Oscillation fastest;
+  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
+    ColliderPath path = system.colliders[c].path;
+    if (system.dimensions == 2) path.amplitude.z = 0.0;
+    if (system.colliders[c].solid && path.resolving_step() < fastest.resolving_step) fastest = {c, path.resolving_step()};
+  }
+  return fastest;
+}
+
+StepNeeds step_needs(const System& system, const State& state) {
+  return {recommended_margin(system, state), shortest_passage(system, state), fastest_oscillation(system).resolving_step};
+}
+
+std::optional<int> StepLimits::stable_substeps(const Integrator& method, double frame_rate) const {
+  const double step = stable_step(method);
+  if (step == 0.0) return std::nullopt;
+  return substeps_of(step, frame_rate, 1.0 + 1e-9);
+}
+
+std::optional<int> StepLimits::resolving_substeps(const Integrator& method, double frame_rate) const {
+  double step = longest_step(needs_.passage, method);
+  if (method.stability != Stability::Adaptive) step = std::min(step, needs_.oscillation);
+  return substeps_of(step, frame_rate, 1.0 - 1e-9);
+}
+
+std::optional<int> StepLimits::min_substeps(const Integrator& method, double frame_rate) const {
+  const auto stable = stable_substeps(method, frame_rate), resolving = resolving_substeps(method, frame_rate);
+  if (!stable || !resolving) return std::nullopt;
+  return std::max(*stable, *resolving);
+}
+
+std::optional<int> StepLimits::recommended_substeps(const Integrator& method, double frame_rate) const {
+  const auto stable = stable_substeps(method, frame_rate), resolving = resolving_substeps(method, frame_rate);
+  if (!stable || !resolving) return std::nullopt;
+  const long with_margin = std::min<long>(max_substeps, static_cast<long>(needs_.margin) * *stable);
+  return std::max(static_cast<int>(with_margin), *resolving);
+}
+
+}  // namespace hooke

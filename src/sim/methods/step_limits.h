@@ -1,0 +1,51 @@
+// What steps are stable on a scene, and short enough for what they must resolve: whoever needs a step asks here.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "sim/methods/integrator.h"
+#include "sim/methods/passage_step.h"
+
+namespace hooke {
+
+// What steps have to resolve besides the linear limit.
+struct StepNeeds {
+  int margin = default_margin;                                   // below that limit (recommended_margin)
+  Passage passage{};                                             // shortest_passage
+  double oscillation = std::numeric_limits<double>::infinity();  // [s], the longest step that resolves the oscillations of colliders
+};
+// `state`: the one from which the scene runs.
+StepNeeds step_needs(const System& system, const State& state);
+
+// The solid collider that oscillates fastest.
+struct Oscillation {
+  std::size_t collider = 0;
+  double resolving_step = std::numeric_limits<double>::infinity();  // [s]; infinity: there is none
+};
+Oscillation fastest_oscillation(const System& system);
+
+class StepLimits {
+ public:
+  explicit StepLimits(const Spectrum& spectrum, const StepNeeds& needs = {}) : spectrum_(spectrum), needs_(needs) {}
+
+  // [s], the longest step at which no linear mode grows, and at which contact causes no growth; 0: none, infinity: any.
+  double stable_step(const Integrator& method) const { return largest_stable_step(method, spectrum_); }
+  // The fewest substeps per frame within that limit; none if no step is stable, or there are too many.
+  std::optional<int> stable_substeps(const Integrator& method, double frame_rate) const;
+  // The fewest that resolve passages and oscillations, 1 without any; none if there are too many.
+  std::optional<int> resolving_substeps(const Integrator& method, double frame_rate) const;
+  // The fewest that are both; none if there are too many.
+  std::optional<int> min_substeps(const Integrator& method, double frame_rate) const;
+  // The fewest that are recommended: with the margin below the linear limit that motion far from equilibrium needs.
+  std::optional<int> recommended_substeps(const Integrator& method, double frame_rate) const;
+
+  const Spectrum& spectrum() const { return spectrum_; }
+  const StepNeeds& needs() const { return needs_; }
+
+ private:
+  Spectrum spectrum_;
+  StepNeeds needs_;
+};
+
+}  // namespace hooke
