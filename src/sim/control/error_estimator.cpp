@@ -30,6 +30,11 @@ bool FrameRuns::have_events() const {
   return has_event(ends_[0]) || (count_ > 1 && has_event(ends_[1]));
 }
 
+bool FrameRuns::have_impacts() const {
+  const auto has_impact = [](const FrameEnd& end) { return end.has_impact || !end.broken.empty(); };
+  return has_impact(ends_[0]) || (count_ > 1 && has_impact(ends_[1]));
+}
+
 double FrameRuns::error(const System& system, const Integrator& method) const {
   constexpr int max_order = 2;
   const int order = have_events() ? 1 : std::min(max_order, order_of(system, method, ends_[0]));
@@ -41,6 +46,11 @@ double FrameRuns::error(const System& system, const Integrator& method) const {
   };
   const double last = error_of(ends_[1], ends_[0]);
   return count_ > 2 && runs_needed(method) > 2 ? std::max(last, error_of(ends_[2], ends_[1]) / reduction) : last;
+}
+
+double FrameRuns::velocity_error(const System& system) const {
+  if (!ends_[0].is_finite || !ends_[1].is_finite) return std::numeric_limits<double>::infinity();
+  return weighted_distance(system, ends_[1].velocity, ends_[0].velocity, 1.0).rms;
 }
 
 bool is_calm(const Plan& plan, const State& state, double duration) {

@@ -13,9 +13,9 @@ namespace hooke {
 
 // Where a frame ended that was computed with one number of substeps.
 struct FrameEnd {
-  std::vector<Vec3> position;  // [m]
+  std::vector<Vec3> position, velocity;  // [m], [m/s]
   std::vector<Index> broken;   // springs, indices in the System
-  bool has_touched = false;
+  bool has_touched = false, has_impact = false;
   bool is_finite = false;  // no step failed, and every coordinate is a number
 };
 
@@ -35,13 +35,16 @@ class FrameRuns {
   int count() const { return count_; }
   const FrameEnd& finest() const { return ends_[0]; }
   FrameEnd& finest() { return ends_[0]; }
-  // Whether something touched or broke in one of the last two.
+  // Whether something touched or broke in one of the last two; and whether something struck or broke.
   bool have_events() const;
+  bool have_impacts() const;
   // RMS error [m] of the finest over the free points, from at least two runs:
   //   |x(n) - x(n/2)| / (2^p - 1)     (Richardson)
   // with p = 2 at most, and not less than the same of the two runs before, divided by 2^p. Infinity if one of them failed, or if springs broke
   // in only one of them.
   double error(const System& system, const Integrator& method) const;
+  // The same of the velocities [m/s], of the last two runs.
+  double velocity_error(const System& system) const;
 
  private:
   std::array<FrameEnd, 3> ends_;  // the finest first

@@ -97,7 +97,7 @@ void FrameRunner::finish_run(Plan& plan) {
   frame_cost_ += cost_of_run;
   if (!is_estimated_) {
     choice_.substeps = settings_.substeps;
-    return accept(std::nullopt, 1);
+    return accept(std::nullopt, 0.0, 1);
   }
   set_end(runs_.add(), frame_, plan, start_, scratch_);
   if (runs_.count() >= runs_needed(*choice_.method)) return judge(plan);
@@ -110,16 +110,19 @@ void FrameRunner::judge(Plan& plan) {
   choice_.substeps = settings_.substeps;
   const double error = runs_.error(*system_, *choice_.method);
   const int order = order_of(*system_, *choice_.method, runs_.finest());
-  const bool is_small_enough = is_accepted(error, share_);
+  // what an impact late in the frame gets wrong shows in the velocities, and in the positions only a frame later
+  const double later = runs_.have_events() ? runs_.velocity_error(*system_) / settings_.frame_rate : 0.0;
+  const double controlled = std::max(error, later);
+  const bool is_small_enough = is_accepted(controlled, share_);
   // times of events differ at random between runs: two that agree may do so by chance, but hardly with a third, of four times the substeps
-  const bool needs_third = runs_.have_events() && ratio_to_aim(error, share_) > control::calm_ratio && !agreed_before_;
-  if (is_small_enough && !needs_third) return accept(error, order);
+  const bool needs_third = runs_.have_impacts() && !agreed_before_;
+  if (is_small_enough && !needs_third) return accept(error, controlled, order);
   agreed_before_ = is_small_enough;
 
   const int more = is_small_enough ? 4 * choice_.substeps
-                                   : refined_substeps({.substeps = choice_.substeps, .error = error, .order = order}, share_);
+                                   : refined_substeps({.substeps = choice_.substeps, .error = controlled, .order = order}, share_);
   const double next_cost = 1.5 * cost(plan) * more / choice_.substeps;
-  if (more > max_automatic_substeps || frame_cost_ + next_cost > max_cost_) return accept(error, order);
+  if (more > max_automatic_substeps || frame_cost_ + next_cost > max_cost_) return accept(error, controlled, order);
   other_cost_ += cost(plan);
   if (!is_small_enough && ++rejections_ == control::max_rejections) {
     const Integrator* before = choice_.method;
@@ -131,16 +134,16 @@ void FrameRunner::judge(Plan& plan) {
 }
 
 // What the next frame needs to know of this one.
-void FrameRunner::accept(std::optional<double> error, int order) {
+void FrameRunner::accept(std::optional<double> error, double controlled, int order) {
   is_accepted_ = true;
   choice_.error = error;
   if (!error) {
     --choice_.until_estimate;
     return;
   }
-  const double ratio = ratio_to_aim(*error, share_);
+  const double ratio = ratio_to_aim(controlled, share_);
   choice_.next_substeps =
-      next_substeps({.substeps = choice_.substeps, .error = *error, .order = order, .ratio_before = choice_.ratio}, share_);
+      next_substeps({.substeps = choice_.substeps, .error = controlled, .order = order, .ratio_before = choice_.ratio}, share_);
   choice_.ratio = std::isfinite(ratio) ? ratio : 0.0;
   // the error of the coarser run, whose steps the next frames may have
   const bool is_calm_now = first_substeps(*choice_.method, choice_.substeps) <= choice_.min_substeps && std::ldexp(ratio, order) < control::calm_ratio;

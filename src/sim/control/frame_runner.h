@@ -42,7 +42,7 @@ class FrameRunner {
   void start_runs(Plan& plan, int substeps);
   void finish_run(Plan& plan);
   void judge(Plan& plan);
-  void accept(std::optional<double> error, int order);
+  void accept(std::optional<double> error, double controlled, int order);
   double max_cost(const Plan& plan) const;
 
   Frame frame_;

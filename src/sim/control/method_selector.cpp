@@ -27,8 +27,10 @@ void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& s
   scratch = start;
   frame.end(plan, scratch);
   end.position = scratch.position;
+  end.velocity = scratch.velocity;
   end.broken.assign(frame.broken().begin(), frame.broken().end());
   end.has_touched = frame.has_touched();
+  end.has_impact = frame.has_impact();
   end.is_finite = frame.failure() == StepFailure::None && is_finite(scratch);
 }
 

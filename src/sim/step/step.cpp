@@ -46,7 +46,7 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   substeps_ = settings.substeps;
   substeps_done_ = one_by_one_until_ = 0;
   failure_ = StepFailure::None;
-  has_touched_ = false;
+  has_touched_ = has_impact_ = false;
   h_ = duration_ / substeps_;
   left_ = prepared_ = h_;
   locates_breaks_ = settings.locates_breaks && !plan.break_length.empty();
@@ -246,6 +246,7 @@ bool Frame::act(Plan& plan, double h, bool may_touch) {
   if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h)) {
     if (!is_moved && motion_.acceleration_is_current && !plan.touches_itself()) motion_.moved = before_.touched;
     is_moved = has_touched_ = true;
+    has_impact_ = has_impact_ || std::isfinite(before_.first_impact);
   }
   if (is_moved) motion_.acceleration_is_current = false;
   if (may_touch) before_.damping.end_substep(plan, h, before_.is_limited, motion_);

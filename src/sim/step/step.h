@@ -39,6 +39,8 @@ class Frame {
   double duration() const { return duration_; }  // [s]
   // Whether any point touched a collider or another point.
   bool has_touched() const { return has_touched_; }
+  // Whether a point struck something: it did not only rest, slide or leave.
+  bool has_impact() const { return has_impact_; }
   // Writes time, positions, velocities and the hand with the collider it carries, and adds their work to the ledger. The caller checks the
   // result (divergence.h) before showing it.
   void end(const Plan& plan, State& state) const;
@@ -72,7 +74,7 @@ class Frame {
   bool locates_breaks_ = false;
   double prepared_ = 0.0;  // [s], the step for which the method is prepared
   StepFailure failure_ = StepFailure::None;
-  bool has_touched_ = false;
+  bool has_touched_ = false, has_impact_ = false;
   Vec3 target_{0.0};
   double hand_stretch_ = 0.0;  // [J], of this frame (EnergyLedger)
   double hand_speed_ = 0.0;    // [m/s], of this frame
