@@ -18,8 +18,8 @@
 #include "batch/run_report.h"
 #include "edit/setting_text.h"
 #include "formats/scene_file.h"
-#include "sim/model/hash.h"
 #include "sim/control/automatic.h"
+#include "sim/model/hash.h"
 #include "study/gnuplot.h"
 #include "study/work_precision_chart.h"
 

@@ -9,8 +9,8 @@
 #include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/accuracy_json.h"
-#include "sim/methods/integrator.h"
 #include "sim/control/automatic.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 

@@ -8,8 +8,8 @@
 #include "scene/parameters.h"
 #include "scene/step_advice.h"
 #include "scene/warnings/strain_limit_warning.h"
-#include "sim/methods/integrator.h"
 #include "sim/control/automatic.h"
+#include "sim/methods/integrator.h"
 #include "study/remedy/remedy.h"
 
 namespace hooke {

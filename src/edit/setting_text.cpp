@@ -6,8 +6,8 @@
 #include "edit/apply.h"
 #include "scene/flatness.h"
 #include "scene/parameter_value.h"
-#include "sim/methods/integrator.h"
 #include "sim/control/automatic.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 

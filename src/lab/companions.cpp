@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/step/divergence.h"
 #include "sim/control/frame_error.h"
+#include "sim/step/divergence.h"
 
 namespace hooke {
 namespace {

@@ -6,8 +6,8 @@
 #include "scene/parameters.h"
 #include "scene/quantity.h"
 #include "scene/shape.h"
-#include "sim/methods/integrator.h"
 #include "sim/control/automatic.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke::python {
 namespace {

@@ -59,8 +59,8 @@ Advice suggest_stepping(const StepLimits& limits, const Settings& settings) {
   // its limit is that of listed forces, which are part of the implicit system only in part
   const Integrator& stiff = stiff_integrator();
   const auto substeps = limits.stable_substeps(stiff, settings.frame_rate);
-  return {&stiff,
-          std::max(*resolving, substeps && *substeps > settings.substeps ? with_margin(*substeps, limits.needs().margin) : settings.substeps)};
+  return {&stiff, std::max(*resolving,
+                           substeps && *substeps > settings.substeps ? with_margin(*substeps, limits.needs().margin) : settings.substeps)};
 }
 
 std::optional<std::string> step_warning(const System& system, const State& state, const Settings& settings) {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/control/frame_runner.h"
 #include "sim/methods/integrator.h"
 #include "sim/plan/plan.h"
-#include "sim/control/frame_runner.h"
 #include "study/problem.h"
 
 namespace hooke {

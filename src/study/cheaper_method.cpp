@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "base/threads/thread_time.h"
-#include "sim/methods/step_limits.h"
 #include "sim/contact/contact.h"
-#include "sim/methods/rows.h"
 #include "sim/control/automatic.h"
-#include "sim/step/divergence.h"
 #include "sim/control/frame_error.h"
 #include "sim/control/frame_runner.h"
+#include "sim/methods/rows.h"
+#include "sim/methods/step_limits.h"
+#include "sim/step/divergence.h"
 
 namespace hooke {
 namespace {
@@ -77,7 +77,9 @@ std::optional<CheaperMethod> find_cheaper_method(const System& system, const Sta
   const auto reference = frames.compute(exact(system, settings, frames.plan()));
   const auto present = frames.compute(settings);
   if (!reference || !present) return std::nullopt;
-  const auto error_of = [&](const Frames::Result& result) { return weighted_distance(system, result.position, reference->position, 1.0).rms; };
+  const auto error_of = [&](const Frames::Result& result) {
+    return weighted_distance(system, result.position, reference->position, 1.0).rms;
+  };
   constexpr double round_off = 1e-14;  // [m]
   const double allowed = error_of(*present);
   if (!(allowed > round_off)) return std::nullopt;

@@ -123,7 +123,8 @@ double measure_amplification(Benchmark& benchmark, const Refinement& own, const 
   const RunResult result = benchmark.run(*own.method, own.setting, start, should_continue);
   if (result.end != RunResult::End::Finished || begin == 0.0) return std::numeric_limits<double>::quiet_NaN();
   double growth = 0.0;
-  for (int i = 0; i < snapshot_count; ++i) growth = std::max(growth, rms_distance(benchmark.problem().system, result.snapshots[i], own.snapshots[i]) / begin);
+  for (int i = 0; i < snapshot_count; ++i)
+    growth = std::max(growth, rms_distance(benchmark.problem().system, result.snapshots[i], own.snapshots[i]) / begin);
   return growth;
 }
 

@@ -7,11 +7,11 @@
 #include "base/number_text.h"
 #include "base/text_lines.h"
 #include "lab/large_run.h"
+#include "sim/control/automatic.h"
+#include "sim/control/frame_error.h"
 #include "sim/forces/energy/energy.h"
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/methods/integrator.h"
-#include "sim/control/automatic.h"
-#include "sim/control/frame_error.h"
 
 namespace hooke {
 namespace {

@@ -24,12 +24,12 @@
 #include <vector>
 
 #include "formats/scene_file.h"
+#include "sim/control/automatic.h"
+#include "sim/control/frame_runner.h"
 #include "sim/methods/integrator.h"
 #include "sim/model/hash.h"
 #include "sim/plan/plan.h"
-#include "sim/control/automatic.h"
 #include "sim/step/divergence.h"
-#include "sim/step/step.h"
 
 namespace hooke {
 namespace {
@@ -75,7 +75,7 @@ std::string hash_of(const Run& run) {
   if (is_automatic(settings)) settings.tolerance = automatic_tolerance;
   Plan plan = make_plan(run.scene->system);
   State state = run.scene->state;
-  Frame frame;
+  FrameRunner frame;
   for (long left = run.frames; left > 0; --left) {
     State next = state;
     frame.begin(plan, run.scene->system, settings, state);

@@ -7,9 +7,9 @@
 
 #include "formats/texture.h"
 #include "scene/parameters.h"
+#include "sim/control/automatic.h"
 #include "sim/forces/force_terms.h"
 #include "sim/methods/integrator.h"
-#include "sim/control/automatic.h"
 
 namespace hooke {
 namespace {

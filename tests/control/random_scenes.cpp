@@ -82,9 +82,11 @@ TestSim random_contact(Generator& random) {
   TestSim sim;
   sim.system.gravity = {0.0, -9.81, 0.0};
   const double restitution = random.number(0.0, 1.0), friction = random.count(0, 1) == 0 ? random.number(0.0, 1.0) : 0.0;
-  sim.system.colliders.push_back({.shape = Plane{.point = Vec3(0.0), .normal = {0.0, 1.0, 0.0}}, .restitution = restitution, .friction = friction});
+  sim.system.colliders.push_back(
+      {.shape = Plane{.point = Vec3(0.0), .normal = {0.0, 1.0, 0.0}}, .restitution = restitution, .friction = friction});
   if (random.count(0, 1) == 0)
-    sim.system.colliders.push_back({.shape = Sphere{.center = {0.0, 0.2, 0.0}, .radius = 0.2}, .restitution = restitution, .friction = friction});
+    sim.system.colliders.push_back(
+        {.shape = Sphere{.center = {0.0, 0.2, 0.0}, .radius = 0.2}, .restitution = restitution, .friction = friction});
   const int points = random.count(1, 8);
   std::vector<PointId> ids;
   for (int i = 0; i < points; ++i) {
@@ -130,7 +132,7 @@ RandomScene make_random_scene(unsigned long seed, int number) {
     std::string_view name;
     TestSim (*make)(Generator&);
   };
-  constexpr Kind kinds[] = {{"net", random_net},         {"rope", random_rope}, {"orbit", random_orbit}, {"cloth", random_cloth},
+  constexpr Kind kinds[] = {{"net", random_net},         {"rope", random_rope}, {"orbit", random_orbit},   {"cloth", random_cloth},
                             {"contact", random_contact}, {"wind", random_wind}, {"breaking", random_break}};
   const Kind& kind = kinds[static_cast<std::size_t>(number) % std::size(kinds)];
   RandomScene scene{.kind = kind.name, .sim = kind.make(random)};

@@ -24,9 +24,9 @@ namespace {
 
 struct Count {
   long scenes = 0, frames = 0, beyond = 0, silent = 0, reports = 0, wrong = 0, unjudged = 0;
-  double worst = 0.0;        // [1], silent error relative to the share
-  double slowest = 0.0;      // [s]
-  double cpu = 0.0;          // [s]
+  double worst = 0.0;    // [1], silent error relative to the share
+  double slowest = 0.0;  // [s]
+  double cpu = 0.0;      // [s]
 };
 
 State frame_from(const TestSim& sim, const State& start, const Settings& settings, bool& failed) {
@@ -114,9 +114,10 @@ void run(RandomScene& scene, int number, int frames, Count& count) {
 }
 
 void print(const std::string& name, const Count& c) {
-  std::printf("%-9s %4ld scenes %6ld frames: %5ld beyond the share, %3ld silent (worst %.3g), %5ld reports, %3ld wrong, %ld not judged; "
-              "%.2f s of CPU, slowest frame %.2g s\n",
-              name.c_str(), c.scenes, c.frames, c.beyond, c.silent, c.worst, c.reports, c.wrong, c.unjudged, c.cpu, c.slowest);
+  std::printf(
+      "%-9s %4ld scenes %6ld frames: %5ld beyond the share, %3ld silent (worst %.3g), %5ld reports, %3ld wrong, %ld not judged; "
+      "%.2f s of CPU, slowest frame %.2g s\n",
+      name.c_str(), c.scenes, c.frames, c.beyond, c.silent, c.worst, c.reports, c.wrong, c.unjudged, c.cpu, c.slowest);
 }
 
 }  // namespace
@@ -139,6 +140,7 @@ int main(int argc, char** argv) {
     all.worst = std::max(all.worst, c.worst), all.slowest = std::max(all.slowest, c.slowest);
   }
   print("all", all);
-  const bool is_kept = all.silent <= (all.frames + 9999) / 10000 && all.worst <= 2.0 && all.wrong <= 0.02 * static_cast<double>(all.reports) + 1.0;
+  const bool is_kept =
+      all.silent <= (all.frames + 9999) / 10000 && all.worst <= 2.0 && all.wrong <= 0.02 * static_cast<double>(all.reports) + 1.0;
   return is_kept ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <optional>
 
-#include "sim/methods/integrator.h"
 #include "sim/control/frame_error.h"
+#include "sim/methods/integrator.h"
 #include "support/force_with.h"
 #include "support/measured_lab.h"
 #include "support/random_scene.h"

@@ -12,8 +12,9 @@
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
-#include "sim/model/hash.h"
 #include "sim/control/automatic.h"
+#include "sim/control/frame_runner.h"
+#include "sim/model/hash.h"
 #include "support/accuracy_scenes.h"
 #include "support/convergence.h"
 #include "support/flat_scene.h"
@@ -255,7 +256,7 @@ TEST_P(RepeatedSubsteps, AreATwentiethOfAllOrALittleMoreWhereSomethingMayTouch) 
   if (GetParam()) sim.system.colliders.push_back({.shape = Plane{.point = {0.0, -100.0, 0.0}}});
   const Settings settings{.integrator = &default_integrator(), .substeps = 10};
   Plan plan = make_plan(sim.system);
-  Frame frame;
+  FrameRunner frame;
   AccuracyMeter meter;
   meter.set_mode(AccuracyMode::Frame);
   long substeps = 0, repeated = 0;

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "scene/parameters.h"
-#include "sim/methods/integrator.h"
 #include "sim/control/automatic.h"
 #include "sim/control/frame_error.h"
+#include "sim/methods/integrator.h"
 #include "support/run_lab.h"
 
 namespace hooke {

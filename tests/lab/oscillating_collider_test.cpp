@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/methods/integrator.h"
 #include "sim/control/frame_error.h"
+#include "sim/methods/integrator.h"
 #include "support/measured_lab.h"
 
 namespace hooke {

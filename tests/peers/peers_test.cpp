@@ -63,7 +63,8 @@ TEST(Peers, WithHookesMethodHaveItsErrors) {
     const PeerSetting setting{.snapshots = snapshot_count, .steps = 250};
     const PeerRun a = ours->run(setting), b = theirs->run(setting);
     ASSERT_TRUE(a.is_finished && b.is_finished);
-    for (int i = 0; i < snapshot_count; ++i) EXPECT_LE(rms_distance(swinging_net().system, a.snapshots[i], b.snapshots[i]), 1e-12) << kind->id;
+    for (int i = 0; i < snapshot_count; ++i)
+      EXPECT_LE(rms_distance(swinging_net().system, a.snapshots[i], b.snapshots[i]), 1e-12) << kind->id;
   }
 }
 

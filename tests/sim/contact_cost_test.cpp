@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "sim/control/frame_runner.h"
 #include "sim/forces/force_terms.h"
 #include "support/folds.h"
 #include "support/random_scene.h"
@@ -50,7 +51,7 @@ struct FrameCost {
 };
 FrameCost cost_after(TestSim sim, int substeps, int skipped, int frames) {
   Plan plan = make_plan(sim.system);
-  Frame frame;
+  FrameRunner frame;
   FrameCost cost;
   for (int i = 0; i < skipped + frames; ++i) {
     const double start = cpu_ms();
@@ -107,7 +108,7 @@ TEST(CostModel, CountsTheDistancesOnLongPaths) {
 void expect_limited_cost(TestSim& sim, const Settings& settings, int frames) {
   constexpr double max_ms = 3000.0;  // by the model
   Plan plan = make_plan(sim.system);
-  Frame frame;
+  FrameRunner frame;
   bool has_failed = false;
   double max = 0.0;
   for (int i = 0; i < frames && !has_failed; ++i) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "sim/control/frame_error.h"
+#include "sim/control/frame_runner.h"
 #include "support/accuracy_scenes.h"
 #include "support/convergence.h"
 #include "support/next_frame.h"
@@ -30,7 +31,7 @@ struct Spread {
 Spread spread_of(const AccuracyScene& scene, const Integrator& method, int min_substeps) {
   TestSim sim = scene.make();
   Plan plan = make_plan(sim.system);
-  Frame stepper;
+  FrameRunner stepper;
   Settings settings = accuracy_settings(method, sim.system);
   settings.substeps = std::max(settings.substeps, min_substeps);
   std::vector<double> ratios, errors;
@@ -87,7 +88,7 @@ TEST(FrameErrorsWithFastDashpots, TheEstimateOfAnImplicitMethodIsItsError) {
         const Settings settings{.integrator = find_integrator(id), .substeps = substeps};
         const Settings reference{.integrator = find_integrator("dop853"), .tolerance = 1e-13};
         Plan plan = make_plan(sim.system);
-        Frame frame;
+        FrameRunner frame;
         const State truth = next_frame(plan, frame, sim.system, reference, sim.state);
         const double error = distance(truth, next_frame(plan, frame, sim.system, settings, sim.state));
         const double estimate = estimate_frame_error(sim.system, settings, sim.state);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/methods/integrator.h"
 #include "sim/control/frame_error.h"
+#include "sim/methods/integrator.h"
 #include "study/forecast.h"
 #include "support/nets.h"
 

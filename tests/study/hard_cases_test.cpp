@@ -11,8 +11,8 @@
 #include <set>
 #include <sstream>
 
-#include "sim/methods/rows.h"
 #include "sim/control/automatic.h"
+#include "sim/methods/rows.h"
 #include "study/analytic_scenes.h"
 #include "study/hard_cases/case_report.h"
 #include "study/hard_cases/monitored_run.h"

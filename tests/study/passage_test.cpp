@@ -7,9 +7,9 @@
 
 #include "lab/accuracy/accuracy_text.h"
 #include "scene/step_advice.h"
+#include "sim/control/automatic.h"
 #include "sim/forces/energy/energy.h"
 #include "sim/methods/passage_step.h"
-#include "sim/control/automatic.h"
 #include "study/hard_cases/monitored_run.h"
 #include "support/force_with.h"
 

@@ -15,10 +15,10 @@
 #include "cli/scene_options.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "lab/lab.h"
+#include "sim/control/automatic.h"
 #include "sim/forces/single_precision.h"
 #include "sim/methods/integrator.h"
 #include "sim/methods/precision.h"
-#include "sim/control/automatic.h"
 
 namespace hooke {
 namespace {
@@ -53,7 +53,8 @@ void print_summary(const RunOptions& options, const Scene& scene, const RunTotal
             << (is_automatic(settings) ? "tolerance " + format_exact(automatic_tolerance(settings)) + " m/s"
                                        : count(settings.substeps, "substep", "substeps") + " per frame")
             << ", " << settings.frame_rate << " frames per second\n";
-  if (scene.state.memory.choice && is_automatic(settings)) std::cout << "last choice: " << describe(*scene.state.memory.choice, settings) << "\n";
+  if (scene.state.memory.choice && is_automatic(settings))
+    std::cout << "last choice: " << describe(*scene.state.memory.choice, settings) << "\n";
   std::cout << "simulated " << totals.seconds << " s in " << totals.wall_seconds << " s (" << totals.cpu_seconds << " s of CPU), "
             << totals.force_evaluations << " force evaluations\n"
             << "hash " << to_hexadecimal(totals.hash) << "\n"

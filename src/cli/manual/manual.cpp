@@ -7,8 +7,8 @@
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
-#include "sim/methods/integrator.h"
 #include "sim/control/automatic.h"
+#include "sim/methods/integrator.h"
 #include "ui/shortcuts.h"
 
 namespace hooke {

@@ -7,8 +7,8 @@
 
 #include "lab/accuracy/accuracy_text.h"
 #include "sim/contact/contact.h"
-#include "sim/forces/energy/energy.h"
 #include "sim/control/automatic.h"
+#include "sim/forces/energy/energy.h"
 
 namespace hooke {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/step/divergence.h"
 #include "sim/control/frame_error.h"
+#include "sim/step/divergence.h"
 
 namespace hooke {
 namespace {

@@ -14,8 +14,8 @@ bool is_valid(const MethodMemory& memory) {
   const auto is_number = [](int substeps) { return substeps >= 1 && substeps <= max_substeps; };
   if (!memory.choice) return true;
   const MethodChoice& choice = *memory.choice;
-  return choice.method->step != nullptr && is_number(choice.substeps) && is_number(choice.min_substeps) && is_number(choice.next_substeps) &&
-         choice.ratio >= 0.0 && !(choice.error && !(*choice.error >= 0.0));
+  return choice.method->step != nullptr && is_number(choice.substeps) && is_number(choice.min_substeps) &&
+         is_number(choice.next_substeps) && choice.ratio >= 0.0 && !(choice.error && !(*choice.error >= 0.0));
 }
 
 void compare_after_edit(MethodMemory& memory) {
@@ -46,13 +46,13 @@ std::string describe(const MethodChoice& choice, const Settings& settings) {
   std::string text;
   const bool is_of_stability = choice.substeps <= 2 * choice.min_substeps && choice.min_substeps > 1;
   if (!choice.error)
-    text = ": limited by stability; the error was far below the tolerance.";
+    text = ": the fewest that are stable; the error was far below the tolerance.";
   else if (!std::isfinite(error))
     text = ": tolerance not met: no two runs of this frame agree.";
   else if (error > tolerance)
     text = formatted(": tolerance not met: %.1g m/s%s.", error, settings.budget_ms > 0.0 ? " within the budget" : "");
   else
-    text = formatted(": %sthe error is %.1g m/s.", is_of_stability ? "limited by stability; " : "", error);
+    text = formatted(": %sthe error is %.1g m/s.", is_of_stability ? "the fewest that are stable and resolve what moves; " : "", error);
   return steps + text;
 }
 

@@ -17,8 +17,8 @@ double automatic_tolerance(const Settings& settings);
 // The most substeps that `auto` takes in a frame.
 inline constexpr int max_automatic_substeps = 1 << 16;
 
-// Whether the choice, which may come from a file, is one that can have been made: a method with fixed steps, and numbers of steps within their
-// limits.
+// Whether the choice, which may come from a file, is one that can have been made: a method with fixed steps, and numbers of steps within
+// their limits.
 bool is_valid(const MethodMemory& memory);
 
 // The settings with which the frame that led to `after` was computed.

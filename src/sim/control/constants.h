@@ -3,12 +3,14 @@
 
 namespace hooke::control {
 
-// The part of the error allowed to a frame at which the controller aims: the estimate is not exact. With half of it, none of 2,400 frames of
-// random nets and orbits with velocity Verlet exceeded what was allowed without a report (tests/control/tolerance_test.cpp tries others).
+// The part of the error allowed to a frame at which the controller aims: the estimate is not exact. With half of it, none of 2,400 frames
+// of random nets and orbits with velocity Verlet exceeded what was allowed without a report (tests/control/tolerance_test.cpp tries
+// others).
 inline constexpr double safety = 0.5;
 // Exponents of the proportional-integral controller, times 1 / order: K. Gustafsson, ACM Trans. Math. Softw. 17 (1991) 533-554.
 inline constexpr double integral_gain = 0.7, proportional_gain = 0.4;
-// The most by which a rejected frame is refined at once: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.2, use 5 to 10.
+// The most by which a rejected frame is refined at once: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.2, use 5
+// to 10.
 inline constexpr int max_growth = 8;
 // Rejections in one frame after which methods are compared again.
 inline constexpr int max_rejections = 3;

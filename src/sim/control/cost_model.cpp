@@ -16,7 +16,8 @@ constexpr double contact_test = 45.0, contact_impulse = 18.0;
 }  // namespace
 
 CostModel::CostModel(const Plan& plan) {
-  const double points = static_cast<double>(std::ranges::count_if(plan.inverse_mass, [](double w) { return w != 0.0; })), springs = plan.springs, dimensions = plan.dimensions;
+  const double points = static_cast<double>(std::ranges::count_if(plan.inverse_mass, [](double w) { return w != 0.0; })),
+               springs = plan.springs, dimensions = plan.dimensions;
   force_ = 2.8 * springs + 0.4 * points + 80.0;
   for (const Force& force : plan.forces) {
     const ForceCost cost = force.term->cost != nullptr ? force.term->cost(plan, force.values) : ForceCost{};

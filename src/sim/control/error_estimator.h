@@ -14,7 +14,7 @@ namespace hooke {
 // Where a frame ended that was computed with one number of substeps.
 struct FrameEnd {
   std::vector<Vec3> position, velocity;  // [m], [m/s]
-  std::vector<Index> broken;   // springs, indices in the System
+  std::vector<Index> broken;             // springs, indices in the System
   bool has_touched = false, has_impact = false;
   bool is_finite = false;  // no step failed, and every coordinate is a number
 };
@@ -40,8 +40,8 @@ class FrameRuns {
   bool have_impacts() const;
   // RMS error [m] of the finest over the free points, from at least two runs:
   //   |x(n) - x(n/2)| / (2^p - 1)     (Richardson)
-  // with p = 2 at most, and not less than the same of the two runs before, divided by 2^p. Infinity if one of them failed, or if springs broke
-  // in only one of them.
+  // with p = 2 at most, and not less than the same of the two runs before, divided by 2^p. Infinity if one of them failed, or if springs
+  // broke in only one of them.
   double error(const System& system, const Integrator& method) const;
   // The same of the velocities [m/s], of the last two runs.
   double velocity_error(const System& system) const;
@@ -55,8 +55,8 @@ class FrameRuns {
 // spring turns or changes its length by more than control::max_turn within `duration` [s]. Then also none passes through zero length.
 bool is_calm(const Plan& plan, const State& state, double duration);
 
-// Whether a spring may break in the coming frame: its own energy, that of its ends relative to each other included, could stretch it to half
-// of its limit.
+// Whether a spring may break in the coming frame: its own energy, that of its ends relative to each other included, could stretch it to
+// half of its limit.
 bool may_break(const Plan& plan, const State& state);
 
 }  // namespace hooke

@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "sim/contact/contact.h"
-#include "sim/methods/rows.h"
-#include "sim/model/portable_math.h"
 #include "sim/control/automatic.h"
 #include "sim/control/cost_model.h"
 #include "sim/control/frame_runner.h"
+#include "sim/methods/rows.h"
 #include "sim/methods/step_limits.h"
+#include "sim/model/portable_math.h"
 
 namespace hooke {
 namespace {

@@ -146,7 +146,8 @@ void FrameRunner::accept(std::optional<double> error, double controlled, int ord
       next_substeps({.substeps = choice_.substeps, .error = controlled, .order = order, .ratio_before = choice_.ratio}, share_);
   choice_.ratio = std::isfinite(ratio) ? ratio : 0.0;
   // the error of the coarser run, whose steps the next frames may have
-  const bool is_calm_now = first_substeps(*choice_.method, choice_.substeps) <= choice_.min_substeps && std::ldexp(ratio, order) < control::calm_ratio;
+  const bool is_calm_now =
+      first_substeps(*choice_.method, choice_.substeps) <= choice_.min_substeps && std::ldexp(ratio, order) < control::calm_ratio;
   choice_.until_estimate = is_calm_now ? control::max_unestimated : 0;
 }
 

@@ -52,12 +52,12 @@ class FrameRunner {
   const System* system_ = nullptr;
   State start_;
   Settings settings_;
-  MethodChoice choice_;             // of this frame
-  bool is_estimated_ = false;       // this frame
-  FrameRuns runs_;                  // of this frame
-  int rejections_ = 0;              // in this frame
-  bool agreed_before_ = false;      // the last two runs, with half of the substeps of the present pair
-  double share_ = 0.0;              // [m], of the tolerance
+  MethodChoice choice_;                                          // of this frame
+  bool is_estimated_ = false;                                    // this frame
+  FrameRuns runs_;                                               // of this frame
+  int rejections_ = 0;                                           // in this frame
+  bool agreed_before_ = false;                                   // the last two runs, with half of the substeps of the present pair
+  double share_ = 0.0;                                           // [m], of the tolerance
   double max_cost_ = 0.0, frame_cost_ = 0.0, other_cost_ = 0.0;  // [ms]: allowed to this frame, of all its runs; of runs not kept
   State scratch_;
 };

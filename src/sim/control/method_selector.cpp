@@ -17,9 +17,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Whether vibrations that are too fast for its step disappear: half the step then agrees on what both lost.
-bool damps_vibrations(const Integrator& method) {
-  return method.energy == EnergyTrend::Falls || method.stability == Stability::EachSpring;
-}
+bool damps_vibrations(const Integrator& method) { return method.energy == EnergyTrend::Falls || method.stability == Stability::EachSpring; }
 
 }  // namespace
 

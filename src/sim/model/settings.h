@@ -17,7 +17,7 @@ struct Settings {
   double speed = 1.0;        // simulated seconds per real second, > 0
   // [m], > 0: local error allowed a step of an adaptive method; with `auto`, the error that a simulated second may add
   std::optional<double> tolerance;
-  double budget_ms = 0.0;     // [ms], of a frame, by the model of the cost of `auto` (control/cost_model.h); 0: no limit
+  double budget_ms = 0.0;  // [ms], of a frame, by the model of the cost of `auto` (control/cost_model.h); 0: no limit
   // In a frame that is computed again to measure its error: substeps end where a spring is about to break. In no file.
   bool locates_breaks = false;
   bool operator==(const Settings&) const = default;

@@ -10,11 +10,11 @@
 
 #include "base/number_text.h"
 #include "sim/contact/contact.h"
+#include "sim/control/automatic.h"
 #include "sim/forces/energy/energy.h"
 #include "sim/forces/motion.h"
 #include "sim/methods/integrator.h"
 #include "sim/statics/linear_motion.h"
-#include "sim/control/automatic.h"
 #include "study/forecast.h"
 
 namespace hooke {

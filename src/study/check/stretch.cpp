@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "sim/forces/energy/energy.h"
 #include "sim/control/frame_error.h"
+#include "sim/forces/energy/energy.h"
 #include "study/check/copies.h"
 
 namespace hooke {

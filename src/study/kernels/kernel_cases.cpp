@@ -13,9 +13,9 @@
 #include "base/formatted.h"
 #include "base/threads/thread_team.h"
 #include "formats/scene_file.h"
+#include "sim/control/frame_runner.h"
 #include "sim/forces/single_precision.h"
 #include "sim/model/portable_math.h"
-#include "sim/control/frame_runner.h"
 #include "study/benchmark.h"
 
 namespace hooke {

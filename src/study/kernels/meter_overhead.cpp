@@ -22,7 +22,8 @@ constexpr int min_implicit_substeps = 2, max_measured_substeps = 400;
 
 int substeps_to_measure(const Scene& scene, const Integrator& method) {
   if (method.stability == Stability::Adaptive) return 1;
-  const int stable = StepLimits(make_plan(scene.system).spectrum).stable_substeps(method, scene.settings.frame_rate).value_or(max_measured_substeps);
+  const int stable =
+      StepLimits(make_plan(scene.system).spectrum).stable_substeps(method, scene.settings.frame_rate).value_or(max_measured_substeps);
   const int min = method.implicit_solve == ImplicitSolve::None ? scene.settings.substeps : min_implicit_substeps;
   return std::min(std::max(2 * std::min(stable, max_measured_substeps), min), max_measured_substeps);
 }

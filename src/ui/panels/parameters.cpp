@@ -6,8 +6,8 @@
 #include "scene/flatness.h"
 #include "scene/parameter_groups.h"
 #include "scene/parameters.h"
-#include "sim/methods/integrator.h"
 #include "sim/control/automatic.h"
+#include "sim/methods/integrator.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
 #include "ui/panels/mixed_values.h"
@@ -133,8 +133,7 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
     ImGui::PushFont(fonts().small);
     begin_row("Chosen");
     const Settings& settings = input.status.snapshot->settings;
-    paragraph(describe(*choice, settings),
-              is_tolerance_met(*choice, settings) ? palette::dim : palette::warning);
+    paragraph(describe(*choice, settings), is_tolerance_met(*choice, settings) ? palette::dim : palette::warning);
     ImGui::PopFont();
   }
   build_accuracy_line(input, panels);
