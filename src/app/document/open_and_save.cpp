@@ -52,9 +52,10 @@ void Document::read_scene(const std::filesystem::path& file) {
         return panels_.show_message("Cannot open the scene", opened.error);
       }
       // a file of another format is imported: the document has no file
-      const bool imported = find_file_kind(file) != nullptr && !is_scene_file(file);
+      const bool imported = find_readable_kind(file) != nullptr && !is_scene_file(file);
       replace(opened.scene, imported ? std::filesystem::path() : file);
       panels_.file_warnings = opened.warnings;
+      if (!opened.summary.empty()) panels_.show_toast(opened.summary);
     };
   });
 }
