@@ -127,6 +127,7 @@ struct Dialog {
   std::string title, text;      // of a message
   std::vector<Choice> choices;  // its buttons: Enter chooses the first, Esc the last; without any, "OK"
   std::string typed;            // the path
+  std::vector<std::string> import_texts;  // of import_options(), for a mesh
   int text_version = 0;         // incremented when the program changes the path, so that the text field is recreated
   Browser browser;
   bool selects_name = false;  // in the path, without folder and extension

@@ -35,9 +35,9 @@ TEST(Xsp, LinesThatXSpringiesSkipsGiveWarningsAndAreKept) {
   const std::string two = "mass 1 0 0 0 0 1 1\nmass 2 5 0 0 0 1 1\n";
   const LoadedScene loaded = load(two + "blob  1 \"x\"\nspng 1 1 3 1 0 5\nspng 2 1 2 1 0 5\nspng 4 3 4 1 0 5\nwind 3\n");
   EXPECT_EQ(loaded.warnings, (std::vector<std::string>{"test.xsp: line 4: blob: is not a command, kept",
-                                                       "test.xsp: 1 more lines have commands that are unknown, kept",
+                                                       "test.xsp: 1 more line is not a command, kept",
                                                        "test.xsp: line 5: spng: 1: mass 3: is not in the file: ignored",
-                                                       "test.xsp: 1 more springs lack a mass: ignored, as by XSpringies"}));
+                                                       "test.xsp: 1 more spring lacks a mass: ignored"}));
   EXPECT_EQ(loaded.scene.system.spring_count(), 1);
   std::vector<std::string> losses;
   const std::string text = format_xsp(loaded.scene, "again.xsp", losses);

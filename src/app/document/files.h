@@ -8,6 +8,7 @@
 
 #include "base/progress.h"
 #include "edit/command.h"
+#include "formats/import_options.h"
 
 namespace hooke {
 

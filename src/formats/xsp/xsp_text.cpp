@@ -146,8 +146,8 @@ class Reader {
       read_line(line);
     }
     check_ids();
-    warn_of_first(unknown_, "lines have commands", " that are unknown, kept");
-    warn_of_first(unconnected_, "springs lack", " a mass: ignored, as by XSpringies");
+    warn_of_first(unknown_, "more line is", "more lines are", " not a command, kept");
+    warn_of_first(unconnected_, "more spring lacks", "more springs lack", " a mass: ignored");
     return std::move(document_);
   }
 
@@ -223,9 +223,9 @@ class Reader {
   }
 
   // One warning for all of a kind.
-  void warn_of_first(const std::vector<std::string>& all, const std::string& many, const std::string& what) {
+  void warn_of_first(const std::vector<std::string>& all, const std::string& one, const std::string& many, const std::string& what) {
     if (!all.empty()) document_.warnings.push_back(all[0]);
-    if (all.size() > 1) document_.warnings.push_back(std::to_string(all.size() - 1) + " more " + many + what);
+    if (all.size() > 1) document_.warnings.push_back(pluralize(all.size() - 1, one, many) + what);
   }
 
   // The sorted ids. Refuses the first line, in the order of the file, that repeats an id.

@@ -1,5 +1,5 @@
-// a = -(p X + q V) / M, the same for every free point: X the center of mass of the free points relative to a target, V its velocity, M their
-// mass.
+// a = -(p X + q V) / M, the same for every point: X the center of mass of the points that are not nailed relative to a target, V its velocity,
+// M their mass.
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan/plan.h"
@@ -13,18 +13,22 @@ constexpr ForceParameter numbers[] = {
     {"damping", "Damping", "N s/m", 0.0, 1000.0, 2.0},
 };
 
-double free_mass(const Plan& plan, Index i) { return plan.inverse_mass[i] == 0.0 ? 0.0 : plan.mass[i]; }
+// 0 for nailed points. A held point counts.
+double counted_mass(const Plan& plan, Index i) {
+  if (plan.held == i) return plan.held_mass;
+  return plan.inverse_mass[i] == 0.0 ? 0.0 : plan.mass[i];
+}
 
 double total_mass(const Plan& plan) {
   double mass = 0.0;
-  for (Index i = 0; i < plan.points; ++i) mass += free_mass(plan, i);
+  for (Index i = 0; i < plan.points; ++i) mass += counted_mass(plan, i);
   return mass;
 }
 
 // Mean of one component of a field, weighted by mass.
 double mean(const Plan& plan, const double* component, double mass) {
   double sum = 0.0;
-  for (Index i = 0; i < plan.points; ++i) sum += free_mass(plan, i) * component[i];
+  for (Index i = 0; i < plan.points; ++i) sum += counted_mass(plan, i) * component[i];
   return sum / mass;
 }
 
@@ -35,7 +39,7 @@ void add(const Plan& plan, const ForceValues& values, double, const double* x, c
     const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
     const double place = mean(plan, x + begin, mass), speed = mean(plan, v + begin, mass);
     const double acceleration = -(values[3] * (place - values[c]) + values[4] * speed) / mass;
-    for (Index i = 0; i < plan.points; ++i) f[begin + i] += free_mass(plan, i) * acceleration;
+    for (Index i = 0; i < plan.points; ++i) f[begin + i] += counted_mass(plan, i) * acceleration;
   }
 }
 
@@ -68,8 +72,11 @@ double power(const Plan& plan, const ForceValues& values, double, const double*,
   if (mass == 0.0) return 0.0;
   double sum = 0.0;
   for (int c = 0; c < plan.dimensions; ++c) {
-    const double speed = mean(plan, v + static_cast<std::size_t>(c) * plan.points, mass);
-    sum += speed * speed;
+    const double* component = v + static_cast<std::size_t>(c) * plan.points;
+    double free_momentum = 0.0;
+    for (Index i = 0; i < plan.points; ++i)
+      if (plan.inverse_mass[i] != 0.0) free_momentum += plan.mass[i] * component[i];
+    sum += mean(plan, component, mass) * free_momentum / mass;
   }
   return -values[4] * sum;
 }
@@ -80,7 +87,7 @@ constinit const ForceTerm mass_center_force{
     .id = "mass_center",
     .rank = 5,
     .label = "Pull on center of mass",
-    .description = "Accelerates all free points equally so that their center of mass moves to a target.",
+    .description = "Accelerates all points that are not nailed equally so that their center of mass moves to a target.",
     .numbers = numbers,
     .depends_on_velocity = true,
     .is_continuous = true,
