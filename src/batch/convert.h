@@ -8,8 +8,8 @@
 
 namespace hooke {
 
-// `in` is a file or the id of a shipped scene; the extension of `out` determines the format. Returns the scene as it was read, with warnings
-// about the file, and about what the format cannot represent. Throws UsageError, InputError, FileError.
+// `in` is a file or the id of a shipped scene; the extension of `out` determines the format. Returns the scene as it was read, with
+// warnings about the file, and about what the format cannot represent. Throws UsageError, InputError, FileError.
 LoadedScene convert_file(const std::string& in, const std::string& out, const ImportOptions& options = {});
 
 }  // namespace hooke

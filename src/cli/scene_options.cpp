@@ -47,7 +47,8 @@ void add_import_options(CLI::App& app, ImportOptions& options) {
     const std::string name(row.name);
     const bool is_taken = app.get_option_no_throw("--" + name) != nullptr;
     app.add_option_function<std::string>((is_taken ? "" : "--" + name + ",") + "--mesh-" + name,
-                                         [&row, &options](const std::string& text) { row.set(options, text); }, std::string(row.description))
+                                         [&row, &options](const std::string& text) { row.set(options, text); },
+                                         std::string(row.description))
         ->type_name(std::string(row.value));
   }
 }

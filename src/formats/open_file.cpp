@@ -9,8 +9,7 @@ namespace hooke {
 LoadedScene load_file(const std::filesystem::path& file, const Progress& progress, const ImportOptions& options) {
   const FileKind* kind = find_readable_kind(file);
   const std::string name = printable(file.native());
-  if (options != ImportOptions() && (kind == nullptr || !kind->is_mesh))
-    throw InputError(name + ": weld, scale and up: only of a mesh");
+  if (options != ImportOptions() && (kind == nullptr || !kind->is_mesh)) throw InputError(name + ": weld, scale and up: only of a mesh");
   if (kind == nullptr ? !file.has_extension() : kind->is_native) return load_scene(file, progress);
   const auto refuse = [&](const std::string& reason) {
     throw InputError(name + ": file format: " + printable(file.extension().native()) + ": " + reason + readable_extensions());

@@ -198,8 +198,7 @@ TEST(Mesh, ABentQuadIsSplitWhereBothTrianglesHaveTheSameOrientation) {
 
 TEST(Mesh, APolygonWithManyCornersIsSplitIntoTriangles) {
   const LoadedScene loaded = load("v 0 0 0\nv 2 0 0\nv 3 1 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4 5\n");
-  EXPECT_EQ(loaded.warnings,
-            std::vector<std::string>{"test.obj: 1 face has more than four corners: split into triangles"});
+  EXPECT_EQ(loaded.warnings, std::vector<std::string>{"test.obj: 1 face has more than four corners: split into triangles"});
   EXPECT_EQ(loaded.scene.system.faces.size(), 3u);
   EXPECT_NEAR(total_mass(loaded.scene.system), SheetMaterial().density * 5.0, 1e-12);
 }
@@ -258,8 +257,7 @@ TEST(Mesh, CanBeWrittenAsObjAndReadBack) {
   const Scene scene = load(grid(3, 2, 0.3)).scene;
   const Scene again = load(format_obj(scene)).scene;
   ASSERT_EQ(again.system.point_count(), scene.system.point_count());
-  for (std::size_t i = 0; i < scene.state.position.size(); ++i)
-    EXPECT_EQ(again.state.position[i], scene.state.position[i]);
+  for (std::size_t i = 0; i < scene.state.position.size(); ++i) EXPECT_EQ(again.state.position[i], scene.state.position[i]);
   EXPECT_EQ(again.system.faces, scene.system.faces);
 }
 

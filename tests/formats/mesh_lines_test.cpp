@@ -73,7 +73,8 @@ TEST(Mesh, LinesTieClothsTogether) {
 TEST(Mesh, AlmostCoincidentEdgesAreReportedAndWeldedOnDemand) {
   // two squares, the second 0.005 mm away from the first
   const std::string seam = square + "v 1.000005 0 0\nv 2 0 0\nv 2 1 0\nv 1.000005 1 0\nf 5 6 7 8\n";
-  EXPECT_EQ(load(seam).warnings, std::vector<std::string>{"test.obj: 2 points on open edges are within 0.1 mm of others: not joined (--weld 0.0001)"});
+  EXPECT_EQ(load(seam).warnings,
+            std::vector<std::string>{"test.obj: 2 points on open edges are within 0.1 mm of others: not joined (--weld 0.0001)"});
   ImportOptions options;
   options.seam_distance = 1e-5;
   const LoadedScene joined = load(seam, options);
@@ -81,7 +82,8 @@ TEST(Mesh, AlmostCoincidentEdgesAreReportedAndWeldedOnDemand) {
   EXPECT_EQ(joined.scene.system.point_count(), 6);
   // inner points are not joined, however close
   options.seam_distance = 0.6;
-  EXPECT_EQ(load("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n", options).scene.system.point_count(), 5);
+  EXPECT_EQ(load("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n", options).scene.system.point_count(),
+            5);
 }
 
 TEST(Mesh, PointsOnTheEdgeOfAnotherFaceAreCounted) {

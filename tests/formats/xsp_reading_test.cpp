@@ -1,4 +1,5 @@
-// What files of XSpringies say without the walls, as the original reads it (1.12). In these files lengths are in pixels; one pixel is a centimeter.
+// What files of XSpringies say without the walls, as the original reads it (1.12). In these files lengths are in pixels; one pixel is a
+// centimeter.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,10 +35,10 @@ bool warns(const LoadedScene& loaded, const std::string& words) {
 TEST(Xsp, LinesThatXSpringiesSkipsGiveWarningsAndAreKept) {
   const std::string two = "mass 1 0 0 0 0 1 1\nmass 2 5 0 0 0 1 1\n";
   const LoadedScene loaded = load(two + "blob  1 \"x\"\nspng 1 1 3 1 0 5\nspng 2 1 2 1 0 5\nspng 4 3 4 1 0 5\nwind 3\n");
-  EXPECT_EQ(loaded.warnings, (std::vector<std::string>{"test.xsp: line 4: blob: is not a command, kept",
-                                                       "test.xsp: 1 more line is not a command, kept",
-                                                       "test.xsp: line 5: spng: 1: mass 3: is not in the file: ignored",
-                                                       "test.xsp: 1 more spring lacks a mass: ignored"}));
+  EXPECT_EQ(loaded.warnings,
+            (std::vector<std::string>{"test.xsp: line 4: blob: is not a command, kept", "test.xsp: 1 more line is not a command, kept",
+                                      "test.xsp: line 5: spng: 1: mass 3: is not in the file: ignored",
+                                      "test.xsp: 1 more spring lacks a mass: ignored"}));
   EXPECT_EQ(loaded.scene.system.spring_count(), 1);
   std::vector<std::string> losses;
   const std::string text = format_xsp(loaded.scene, "again.xsp", losses);
@@ -79,9 +80,7 @@ TEST(Xsp, AFallTowardsTheCenterFollowsTheClosedForm) {
   EXPECT_NEAR(0.5 * std::pow(glm::length(scene.state.velocity[0]) / pixel, 2) / (1000.0 * std::log(d0 / d)), 1.0, 1e-3);
 }
 
-TEST(Xsp, FixedMassesMoveNoWall) {
-  EXPECT_TRUE(warns(load("wall 0 0 0 1\nmass 1 300 -9000 0 0 -1 1\n"), "y = 0 and 550 pixels"));
-}
+TEST(Xsp, FixedMassesMoveNoWall) { EXPECT_TRUE(warns(load("wall 0 0 0 1\nmass 1 300 -9000 0 0 -1 1\n"), "y = 0 and 550 pixels")); }
 
 }  // namespace
 }  // namespace hooke

@@ -15,10 +15,10 @@
 namespace hooke {
 namespace {
 
-constexpr double min_size = 1e-6;          // [m], of a mesh
-constexpr double weld_ratio = 1e-6;        // of the mesh's size
+constexpr double min_size = 1e-6;            // [m], of a mesh
+constexpr double weld_ratio = 1e-6;          // of the mesh's size
 constexpr double max_plausible_size = 50.0;  // [m], along an axis: larger meshes are often in millimeters
-constexpr double min_height_ratio = 1e-8;  // of a face, relative to its longest side: flatter faces have no area
+constexpr double min_height_ratio = 1e-8;    // of a face, relative to its longest side: flatter faces have no area
 
 class MeshCleaner {
  public:
@@ -137,7 +137,8 @@ void MeshCleaner::add_polygons() {
     ++changes_.triangulated;
     if (!triangulate(positions, triangles)) ++changes_.crossing;
     for (const auto& [a, b, c] : triangles)
-      add_cell(std::array{corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)], corners[static_cast<std::size_t>(c)]});
+      add_cell(
+          std::array{corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)], corners[static_cast<std::size_t>(c)]});
   }
 }
 

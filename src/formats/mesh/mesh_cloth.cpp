@@ -15,7 +15,7 @@
 namespace hooke {
 namespace {
 
-constexpr double relative_strip_width = 0.1;   // of a line, relative to the size of the mesh
+constexpr double relative_strip_width = 0.1;     // of a line, relative to the size of the mesh
 constexpr double radius_without_springs = 0.01;  // of the points, relative to the size of the mesh
 
 // The contribution of one cell or line to the spring between two points.
@@ -83,9 +83,7 @@ void ClothMaker::make_points() {
 std::vector<SpringWeight> ClothMaker::spring_weights() const {
   std::vector<SpringWeight> spring_weights;
   using Of = SpringWeight::Of;
-  const auto add = [&](Index a, Index b, double weight, Of of) {
-    spring_weights.push_back({std::min(a, b), std::max(a, b), weight, of});
-  };
+  const auto add = [&](Index a, Index b, double weight, Of of) { spring_weights.push_back({std::min(a, b), std::max(a, b), weight, of}); };
   for (const Cell& cell : mesh_.cells) {
     const auto& [a, b, c, d] = cell.corners;
     const double side = cell.size() == 3 ? cell.area : 0.375 * cell.area;

@@ -40,7 +40,8 @@ LooseParts loose_parts_of(const System& system) {
   LooseParts loose;
   std::vector<bool> is_used = is_on_face;
   for (const Spring& spring : system.springs()) {
-    const auto first = static_cast<std::size_t>(system.index_of(spring.first)), second = static_cast<std::size_t>(system.index_of(spring.second));
+    const auto first = static_cast<std::size_t>(system.index_of(spring.first)),
+               second = static_cast<std::size_t>(system.index_of(spring.second));
     const std::array<Index, 2> line{static_cast<Index>(std::min(first, second)), static_cast<Index>(std::max(first, second))};
     const bool is_free = !is_on_face[first] || !is_on_face[second];
     if (!is_free && (spring.family != SpringFamily::Structural || std::binary_search(sides.begin(), sides.end(), line))) continue;

@@ -10,9 +10,9 @@ namespace hooke {
 namespace {
 
 // Cuts off ears: corners whose triangle with their neighbors contains no other corner. Every simple polygon has two (Meisters, "Polygons
-// have ears", 1975); the algorithm with bridged holes is that of Eberly, "Triangulation by ear clipping", 2002. Departures: the ear with the
-// shortest cut is next, for the shape of the triangles; corners on a straight line are no ears, but keep other corners from being ears, so
-// that no triangle is without area.
+// have ears", 1975); the algorithm with bridged holes is that of Eberly, "Triangulation by ear clipping", 2002. Departures: the ear with
+// the shortest cut is next, for the shape of the triangles; corners on a straight line are no ears, but keep other corners from being ears,
+// so that no triangle is without area.
 class EarClipper {
  public:
   explicit EarClipper(std::span<const Vec3> polygon) {
@@ -74,9 +74,7 @@ class EarClipper {
   const Corner& after(std::size_t i) const { return ring_[(i + 1) % ring_.size()]; }
 
   // Twice the area of a triangle, > 0 if it is passed counterclockwise.
-  static double turn(const Corner& a, const Corner& b, const Corner& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  }
+  static double turn(const Corner& a, const Corner& b, const Corner& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
   bool is_ear(std::size_t tip) const {
     const Corner &a = before(tip), &b = ring_[tip], &c = after(tip);

@@ -90,7 +90,8 @@ class Exporter {
     if (system_.contact.faces || system_.contact.springs) report_loss("contact of faces and springs");
   }
 
-  // Of the first free point [m], compared with that of its mass in XSpringies: walls are moved by it, so that points turn back at the same place.
+  // Of the first free point [m], compared with that of its mass in XSpringies: walls are moved by it, so that points turn back at the same
+  // place.
   double extra_radius() const {
     for (const Point& point : system_.points())
       if (!point.nailed) return point.radius - xsp_radius(point.mass, false);
@@ -285,14 +286,14 @@ std::string format_xsp(const Scene& scene, const std::string& file, std::vector<
   return Exporter(scene, file, losses).text();
 }
 
-constinit const FileKind xsp_file{.extension = ".xsp",
-                                  .title = "XSpringies scene",
-                                  .parse = [](std::string_view text, const std::string& file,
-                                            const ImportOptions&) { return parse_xsp(text, file); },
-                                  .format = format_xsp,
-                                  .source = ExportSource::Scene,
-                                  .label = "XSpringies",
-                                  .description = "A flat scene for XSpringies, in its current state.",
-                                  .is_flat_only = true};
+constinit const FileKind xsp_file{
+    .extension = ".xsp",
+    .title = "XSpringies scene",
+    .parse = [](std::string_view text, const std::string& file, const ImportOptions&) { return parse_xsp(text, file); },
+    .format = format_xsp,
+    .source = ExportSource::Scene,
+    .label = "XSpringies",
+    .description = "A flat scene for XSpringies, in its current state.",
+    .is_flat_only = true};
 
 }  // namespace hooke

@@ -182,7 +182,8 @@ class Reader {
     std::size_t words = 0;
     const std::string_view first = next_token(line);
     for (std::string_view word = first; !word.empty(); word = next_token(line)) ++words;
-    const bool is_named_force = name == "frce" && !first.empty() && !parse_number(first) && std::isalpha(static_cast<unsigned char>(first[0]));
+    const bool is_named_force =
+        name == "frce" && !first.empty() && !parse_number(first) && std::isalpha(static_cast<unsigned char>(first[0]));
     if (is_named_force || (name == "mass" && words == 5))
       refuse(line_, std::string(name) + (is_named_force ? " " + printable(first, max_quoted_bytes) : ""),
              "is the dialect of GoSpringies: must be a file of XSpringies");
@@ -214,7 +215,8 @@ class Reader {
       const std::string name = "spng: " + std::to_string(spring.id) + ": mass ";
       for (const int id : {spring.first, spring.second})
         if (!std::binary_search(masses.begin(), masses.end(), id)) {
-          unconnected_.push_back("line " + std::to_string(spring.line) + ": " + name + std::to_string(id) + ": is not in the file: ignored");
+          unconnected_.push_back("line " + std::to_string(spring.line) + ": " + name + std::to_string(id) +
+                                 ": is not in the file: ignored");
           return true;
         }
       if (spring.first == spring.second) refuse(spring.line, name + std::to_string(spring.first), "must not be connected to itself");

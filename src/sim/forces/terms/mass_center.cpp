@@ -1,5 +1,5 @@
-// a = -(p X + q V) / M, the same for every point: X the center of mass of the points that are not nailed relative to a target, V its velocity,
-// M their mass.
+// a = -(p X + q V) / M, the same for every point: X the center of mass of the points that are not nailed relative to a target, V its
+// velocity, M their mass.
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan/plan.h"
