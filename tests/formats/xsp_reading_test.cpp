@@ -80,6 +80,14 @@ TEST(Xsp, AFallTowardsTheCenterFollowsTheClosedForm) {
   EXPECT_NEAR(0.5 * std::pow(glm::length(scene.state.velocity[0]) / pixel, 2) / (1000.0 * std::log(d0 / d)), 1.0, 1e-3);
 }
 
+// The values are those of the original's law, p1 / d from each wall less the radius of 10 pixels, by Runge-Kutta 4 with steps of 0.5 ms.
+TEST(Xsp, WallsRepelTheSurfaceOfAMass) {
+  Scene scene = load("frce 3 1 10000 1\nwall 1 1 1 1\nmass 1 100 240 -30 0 40 1\n").scene;
+  run(scene, 5.0);
+  EXPECT_NEAR(scene.state.position[0].x, 5.288818845, 1e-6);
+  EXPECT_NEAR(scene.state.position[0].y, 3.064161337, 1e-6);
+}
+
 TEST(Xsp, FixedMassesMoveNoWall) { EXPECT_TRUE(warns(load("wall 0 0 0 1\nmass 1 300 -9000 0 0 -1 1\n"), "y = 0 and 550 pixels")); }
 
 }  // namespace

@@ -69,7 +69,7 @@ LoadedScene parse_obj(std::string_view text, const std::string& file, const Impo
   LoadedScene loaded;
   Mesh vertices = parse_obj_text(text, file, loaded.warnings);
   for (Vec3& x : vertices.vertices) {
-    x = options.scale * (options.is_z_up ? Vec3(x.x, x.z, -x.y) : x);
+    x = options.scale * (options.is_z_up ? Vec3(x.x, x.z, 0.0 - x.y) : x);
     for (int c = 0; c < 3; ++c)
       if (!(std::abs(x[c]) <= largest_coordinate))
         throw InputError(file + ": scale: " + format_rounded(x[c]) + ": must be from -1e9 to 1e9 (meters)");
