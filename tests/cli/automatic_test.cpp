@@ -26,20 +26,6 @@ TEST(AutomaticMethod, SaysWhereTheToleranceIsNotMet) {
   EXPECT_NE(run.err.find("the tolerance was not met in 1 of 1 frames"), std::string::npos) << run.err;
 }
 
-// Parts that do not affect each other are listed with what each of them uses.
-TEST(AutomaticMethod, ListsTheStepsOfPartsThatAreSteppedSeparately) {
-  const ScratchFolder scratch;
-  const std::filesystem::path file = scratch.folder / "ropes.json";
-  std::ofstream(file) << R"({"hooke": 1, "generators": [
-    {"type": "rope", "from": [0, 0, 0], "to": [1, 0, 0], "points": 200, "mass": 0.1, "stiffness": 10, "nail": ["from"]},
-    {"type": "rope", "from": [0, 0, 1], "to": [1, 0, 1], "points": 20, "mass": 0.1, "stiffness": 1e5, "nail": ["from"]}]})";
-  const Outcome text = run_headless("run " + file.string() + " --seconds 0.1 --tolerance 1e-3");
-  EXPECT_NE(text.out.find("last choice: Parts that do not affect each other have their own steps. "), std::string::npos) << text.out;
-  const Outcome json = run_headless("run " + file.string() + " --seconds 0.1 --tolerance 1e-3 --json -");
-  EXPECT_NE(json.out.find("\"islands\": [{\"integrator\": "), std::string::npos) << json.out.substr(0, 400);
-  EXPECT_EQ(json.code, 0) << json.err;
-}
-
 // A setting that the method does not use is an error on the command line.
 TEST(AutomaticMethod, AToleranceSetWithoutAMethodThatUsesItIsRefused) {
   const Outcome tolerance = run_headless("run cloth --seconds 0.1 --set tolerance=1e-4");

@@ -140,7 +140,7 @@ int main(int argc, char** argv) {
     all.worst = std::max(all.worst, c.worst), all.slowest = std::max(all.slowest, c.slowest);
   }
   print("all", all);
-  const bool is_kept =
-      all.silent <= (all.frames + 9999) / 10000 && all.worst <= 2.0 && all.wrong <= 0.02 * static_cast<double>(all.reports) + 1.0;
+  const bool is_kept = all.silent <= (all.frames + 9999) / 10000 && all.worst <= 2.0 &&
+                       static_cast<double>(all.wrong) <= 0.02 * static_cast<double>(all.reports) + 1.0;
   return is_kept ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -16,6 +16,7 @@ namespace hooke {
 namespace {
 
 constexpr double relative_strip_width = 0.1;     // of a line, relative to the size of the mesh
+constexpr double min_relative_area = 1e-13;      // of a point, relative to the square of that size
 constexpr double radius_without_springs = 0.01;  // of the points, relative to the size of the mesh
 
 // The contribution of one cell or line to the spring between two points.
@@ -72,6 +73,8 @@ void ClothMaker::make_points() {
     for (const Index end : line) area[static_cast<std::size_t>(end)] += 0.5 * strip_width() * length_of(line);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (area[i] == 0.0) area[i] = strip_width() * strip_width();
+    // of faces so thin that their share of the mass would be lost to rounding
+    area[i] = std::max(area[i], min_relative_area * mesh_.size() * mesh_.size());
     points[i].mass = material_.density * area[i];
   }
   sheet_.area = area;
