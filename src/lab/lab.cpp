@@ -8,7 +8,6 @@
 #include "base/overloaded.h"
 #include "edit/tears.h"
 #include "lab/large_run.h"
-#include "sim/control/automatic.h"
 
 namespace hooke {
 namespace {
@@ -48,6 +47,7 @@ void Lab::submit(Control control, Gesture gesture) { queue_.emplace_back(std::mo
 void Lab::update_plan(Effect effect) {
   if (!effect.invalidates_frame()) return;
   drop_frame();
+  frame_.expect_change();
   companions_.restart();
   if (effect.structure) {
     frame_history_.clear_if_points_changed(scene_.system);
@@ -95,7 +95,6 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   const std::shared_ptr<const State> state = known ? nullptr : state_before_drag(command, gesture, of);
   Effect effect;
   std::vector<Command> inverse = apply(scene_, command, effect);
-  if (effect.invalidates_frame()) compare_after_edit(scene_.state.memory);
   update_plan(effect);
   if (can_cause_failure(command) && start_.scene()) record_change(command, value, inverse, gesture);
   if (was_in_progress && !frame_in_progress_) must_finish_frame_ = true;

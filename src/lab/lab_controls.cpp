@@ -5,6 +5,7 @@
 #include "base/overloaded.h"
 #include "lab/lab.h"
 #include "lab/reset_parameters.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 
@@ -45,6 +46,7 @@ void Lab::reset_session() {
   limit_work_ = last_limit_work_ = hand_lag_ = 0.0;
   gas_releases_.clear();
   update_plan({.structure = true});
+  frame_.take_change();  // it is the start of a run, not an edit in one
   initialize_ledger(scene_.system, scene_.state);
 }
 
@@ -171,6 +173,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  },
                  [&](const Record& what) {
                    drop_frame();
+                   if (frame_.take_change()) compare_after_edit(scene_.state.memory);
                    if (what.file)
                      recorder_.start(*what.file, scene_);
                    else

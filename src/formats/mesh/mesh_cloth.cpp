@@ -76,6 +76,7 @@ void ClothMaker::make_points() {
     // of faces so thin that their share of the mass would be lost to rounding
     area[i] = std::max(area[i], min_relative_area * mesh_.size() * mesh_.size());
     points[i].mass = material_.density * area[i];
+    if (!(points[i].mass > 0.0)) points[i].mass = 1.0;  // of a mesh without extent, a single point
   }
   sheet_.area = area;
   scene_.state.position = mesh_.points;

@@ -33,6 +33,7 @@ void FrameRunner::begin(Plan& plan, const System& system, const Settings& settin
 // The method, and the substeps of the first run.
 void FrameRunner::choose(Plan& plan) {
   max_cost_ = max_cost(plan);
+  if (take_change()) compare_after_edit(start_.memory);
   if (start_.memory.choice) {
     choice_ = *start_.memory.choice;
     if (choice_.until_selection > 0) --choice_.until_selection;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "sim/control/cost_model.h"
 #include "sim/control/error_estimator.h"
@@ -18,6 +19,10 @@ class FrameRunner {
  public:
   void begin(Plan& plan, const System& system, const Settings& settings, const State& state);
   void substep(Plan& plan);
+  // The scene was edited: `auto` estimates the next frame, and compares methods again when no more edits follow.
+  void expect_change() { is_edited_ = true; }
+  // Whether that has not taken effect yet; afterwards it does not.
+  bool take_change() { return std::exchange(is_edited_, false); }
   bool done() const { return frame_.done() && (!is_automatic_ || is_accepted_); }
   void end(const Plan& plan, State& state) const;
 
@@ -49,6 +54,7 @@ class FrameRunner {
   MethodSelector selector_;
   StepLimits limits_{Spectrum{}};
   bool is_automatic_ = false, is_accepted_ = false;
+  bool is_edited_ = false;  // since the last frame
   const System* system_ = nullptr;
   State start_;
   Settings settings_;
