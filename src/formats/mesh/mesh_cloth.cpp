@@ -143,7 +143,7 @@ void ClothMaker::make_springs() {
   const double radius =
       springs.empty() ? radius_without_springs * mesh_.size() : 0.25 * sum_of_lengths / static_cast<double>(springs.size());
   for (Index i = 0; i < system.point_count(); ++i) system.point(i).radius = radius;
-  system.set_springs(std::move(springs));
+  system.set_springs(springs);
   if (non_manifold > 0)
     notes_.push_back(file_ + ": " + pluralize(non_manifold, "edge has", "edges have") + " more than two faces: each is a single spring");
 }
