@@ -65,7 +65,7 @@ Table<FileKind> export_kinds();
 // By the extension, ignoring case; null if it is not in the table.
 const FileKind* find_file_kind(const std::filesystem::path& file);
 
-// The same for a file that is read, which may be compressed: "net.obj.gz".
+// The kind of a file to read, by its extension without ".gz": that of "net.obj.gz" is .obj. Null if it is not in the table.
 const FileKind* find_readable_kind(const std::filesystem::path& file);
 
 // ".json, .obj or .xsp": the extensions that can be read, or to which a scene can be written.

@@ -8,6 +8,7 @@
 #include <map>
 #include <random>
 
+#include "sim/control/frame_error.h"
 #include "sim/model/hash.h"
 #include "support/accuracy_scenes.h"
 #include "support/automatic_runs.h"
@@ -112,6 +113,27 @@ TEST(Automatic, WhatItRemembersIsPartOfTheState) {
   FrameRunner another;
   for (int i = 20; i < 40; ++i) half = next_frame(plan, another, sim.system, automatic(1e-4), half);
   EXPECT_EQ(hash_state(half), hash_state(sim.state));
+}
+
+// Nails have no error: they dilute neither that of the free points nor a tolerance.
+TEST(Automatic, NailsBesideASceneChangeNeitherChoiceNorError) {
+  const auto run_beside = [](int nails) {
+    TestSim sim = net(8, 1e3, 0.1);
+    for (int i = 0; i < nails; ++i) sim.nail({10.0 + 0.1 * i, 0.0, 0.0});
+    Plan plan = make_plan(sim.system);
+    FrameRunner frame;
+    for (int i = 0; i < 20; ++i) sim.state = next_frame(plan, frame, sim.system, automatic(1e-5), sim.state);
+    return sim;
+  };
+  const TestSim alone = run_beside(0), beside = run_beside(500);
+  const MethodChoice &expected = *alone.state.memory.choice, &choice = *beside.state.memory.choice;
+  EXPECT_EQ(choice.method, expected.method);
+  EXPECT_EQ(choice.substeps, expected.substeps);
+  ASSERT_TRUE(choice.error && expected.error);
+  EXPECT_NEAR(*choice.error, *expected.error, 1e-6 * *expected.error);
+  const Settings fixed{.integrator = &default_integrator(), .substeps = 20};
+  const double error = estimate_frame_error(alone.system, fixed, alone.state);
+  EXPECT_NEAR(estimate_frame_error(beside.system, fixed, beside.state), error, 1e-6 * error);
 }
 
 // A sudden change of stiffness never makes it unstable: a slider that jumps by a factor of 1000 and back.

@@ -51,7 +51,7 @@ void Placer::start(const ShapeKind* shape) {
   place_in_sight();
 }
 
-// The material that suits cloth of the mesh's size.
+// The material that suits cloth of the size of the mesh.
 void Placer::set_material_for_size() {
   Placement& placement = panels_.placement;
   const SheetMaterial material = cloth_of_size(placement.mesh_size);

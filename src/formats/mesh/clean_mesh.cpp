@@ -16,9 +16,9 @@ namespace hooke {
 namespace {
 
 constexpr double min_size = 1e-6;            // [m], of a mesh
-constexpr double weld_ratio = 1e-6;          // of the mesh's size
+constexpr double weld_ratio = 1e-6;          // relative to the size of the mesh
 constexpr double max_plausible_size = 50.0;  // [m], along an axis: larger meshes are often in millimeters
-constexpr double min_height_ratio = 1e-8;    // of a face, relative to its longest side: flatter faces have no area
+constexpr double min_height_ratio = 1e-8;    // height of a triangle over its longest edge: flatter ones are degenerate
 
 class MeshCleaner {
  public:

@@ -18,9 +18,9 @@ struct Cell {
 };
 
 struct CleanMesh {
-  std::vector<Vec3> points;                 // [m], in the order of the mesh's vertices
-  std::vector<Cell> cells;                  // of points, in the mesh's order
-  std::vector<std::array<Index, 2>> lines;  // of points, in the mesh's order
+  std::vector<Vec3> points;                 // [m], in the order of the vertices
+  std::vector<Cell> cells;                  // of points, in the order of the file
+  std::vector<std::array<Index, 2>> lines;  // of points, in the order of the file
   Vec3 min{0.0}, max{0.0};                  // bounding box of the points
   double size() const;                      // [m], its diagonal
 };

@@ -15,8 +15,8 @@
 namespace hooke {
 namespace {
 
-constexpr double relative_strip_width = 0.1;     // of a line, relative to the size of the mesh
-constexpr double min_relative_area = 1e-13;      // of a point, relative to the square of that size
+constexpr double relative_strip_width = 0.1;     // width of the cloth strip that a line stands for, relative to the size of the mesh
+constexpr double min_relative_area = 1e-13;      // area of a point, relative to the square of the size of the mesh
 constexpr double radius_without_springs = 0.01;  // of the points, relative to the size of the mesh
 
 // The contribution of one cell or line to the spring between two points.

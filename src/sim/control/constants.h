@@ -3,9 +3,8 @@
 
 namespace hooke::control {
 
-// The part of the error allowed to a frame at which the controller aims: the estimate is not exact. With half of it, none of 2,400 frames
-// of random nets and orbits with velocity Verlet exceeded what was allowed without a report (tests/control/tolerance_test.cpp tries
-// others).
+// The part of the error allowed to a frame at which the controller aims: the estimate is not exact. scripts/tolerance counts the frames
+// that exceed what is allowed without a report.
 inline constexpr double safety = 0.5;
 // Exponents of the proportional-integral controller, times 1 / order: K. Gustafsson, ACM Trans. Math. Softw. 17 (1991) 533-554.
 inline constexpr double integral_gain = 0.7, proportional_gain = 0.4;
@@ -22,5 +21,13 @@ inline constexpr int max_unestimated = 3;
 inline constexpr double max_turn = 0.25;
 // [ms], and relative to the frame before: a frame that would cost more ends with the error that it has, and a report.
 inline constexpr double max_cost = 1000.0, max_cost_factor = 30.0;
+
+// [ms], below which the frame before counts as this long.
+inline constexpr double short_frame = 0.05;
+// The runs of an estimate together cost this much of the last one, with half of its substeps in the one before.
+inline constexpr double cost_of_estimate = 1.5;
+// When methods are compared, one that misses the share gets the substeps that its order requires, times this margin: at least and at most
+// by these factors, and by the last one if its runs do not agree.
+inline constexpr double trial_margin = 1.1, min_trial_growth = 1.5, max_trial_growth = 1e3, growth_on_failure = 4.0;
 
 }  // namespace hooke::control

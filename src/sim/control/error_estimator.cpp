@@ -8,8 +8,20 @@
 
 #include "sim/control/constants.h"
 #include "sim/control/frame_error.h"
+#include "sim/step/divergence.h"
 
 namespace hooke {
+
+void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& start, State& scratch) {
+  scratch = start;
+  frame.end(plan, scratch);
+  end.position = scratch.position;
+  end.velocity = scratch.velocity;
+  end.broken.assign(frame.broken().begin(), frame.broken().end());
+  end.has_touched = frame.has_touched();
+  end.has_impact = frame.has_impact();
+  end.is_finite = frame.failure() == StepFailure::None && is_finite(scratch);
+}
 
 int order_of(const System& system, const Integrator& method, const FrameEnd& end) {
   const bool is_smooth = end.is_finite && !end.has_touched && end.broken.empty() && system.strain_limit == 0.0;
@@ -17,6 +29,11 @@ int order_of(const System& system, const Integrator& method, const FrameEnd& end
 }
 
 int runs_needed(const Integrator& method) { return method.order > 2 ? 3 : 2; }
+
+int first_substeps(const Integrator& method, int substeps) {
+  const int factor = 1 << (runs_needed(method) - 1);
+  return (substeps + factor - 1) / factor;
+}
 
 FrameEnd& FrameRuns::add() {
   std::swap(ends_[1], ends_[2]);

@@ -7,7 +7,7 @@
 #include "sim/methods/integrator.h"
 #include "sim/model/state.h"
 #include "sim/model/system.h"
-#include "sim/plan/plan.h"
+#include "sim/step/step.h"
 
 namespace hooke {
 
@@ -19,12 +19,18 @@ struct FrameEnd {
   bool is_finite = false;  // no step failed, and every coordinate is a number
 };
 
+// Sets where the frame ended that followed `start`. `scratch`: memory that is used again.
+void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& start, State& scratch);
+
 // The order with which the error of such a frame falls: that of the method on this scene, but 1 where something touched or broke.
 int order_of(const System& system, const Integrator& method, const FrameEnd& end);
 
 // How many runs an estimate takes: a pair shows the error of a method of second order, which is close to its asymptotic range at the
 // tolerances of an interactive program; those of higher order often are not, and a third run shows it.
 int runs_needed(const Integrator& method);
+
+// The substeps of the first run of a frame whose last one takes so many.
+int first_substeps(const Integrator& method, int substeps);
 
 // The runs of one frame, each with more substeps than the one before, usually twice as many.
 class FrameRuns {

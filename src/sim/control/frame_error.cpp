@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 
 #include "sim/contact/contact.h"
 #include "sim/control/automatic.h"
@@ -73,11 +74,9 @@ double refinement_weight(const System& system, const Settings& settings) {
 
 namespace {
 
-// Dashpots that decay within a step of those that resolve the springs, with which the methods that split dashpots off would have a larger
-// error than that of the method: no repetition, or shorter steps.
-enum class FastDashpots { Excluded, Resolved };
-
-std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio, FastDashpots dashpots) {
+// Explicit steps that resolve every vibration, and every dashpot where the method splits them off; none where they are not needed or cost
+// more than `max_ratio` times the frame.
+std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio) {
   const Integrator& method = *settings.integrator;
   const bool dissipates = method.energy == EnergyTrend::Falls && method.stability != Stability::Adaptive;
   if (!dissipates) return std::nullopt;
@@ -98,7 +97,6 @@ std::optional<Settings> resolving(const Plan& plan, const Settings& settings, do
     fine.locates_breaks = true;
     fine.substeps = std::max(settings.substeps, static_cast<int>(substeps));
     if (plan.spectrum.dashpot_rate * fine.substep() > 1.0) {
-      if (dashpots == FastDashpots::Excluded) continue;
       constexpr double max_decay = 0.25;  // of a dashpot, in a step that resolves it
       const double resolved = plan.spectrum.dashpot_rate / (max_decay * settings.frame_rate);
       if (!(resolved <= max_automatic_substeps)) continue;
@@ -111,13 +109,9 @@ std::optional<Settings> resolving(const Plan& plan, const Settings& settings, do
 
 }  // namespace
 
-std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio) {
-  return resolving(plan, settings, max_ratio, FastDashpots::Excluded);
-}
-
 Repetition repetition_of(const Plan& plan, const System& system, const Settings& settings) {
   constexpr double cost_of_half_step = 2.0;
-  if (const auto fine = resolving(plan, settings, cost_of_half_step, FastDashpots::Resolved)) return {*fine, 1.0, true};
+  if (const auto fine = resolving(plan, settings, cost_of_half_step)) return {*fine, 1.0, true};
   return {refined(system, settings), refinement_weight(system, settings)};
 }
 

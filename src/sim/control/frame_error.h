@@ -1,8 +1,6 @@
 // Error of a frame, estimated by repeating it with half the step.
 #pragma once
 
-#include <optional>
-
 #include "sim/model/settings.h"
 #include "sim/model/state.h"
 #include "sim/model/system.h"
@@ -29,13 +27,9 @@ int free_order(const System& system, const Integrator& method);
 // repetition is exact in comparison.
 double refinement_weight(const System& system, const Settings& settings);
 
-// Explicit steps that resolve every vibration of the springs, for a method that dissipates those faster than its step (h omega > 1): with
-// half the step it does so too, and both results agree on what they lost. None for other methods and shorter steps, and where a frame would
-// cost more than `max_ratio` times that of `settings` and more than 2 ms, by the model of the cost.
-std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio);
-
-// How a frame is repeated to measure its error: the settings, and the factor from the difference to the error. By steps that resolve all
-// vibrations where these cost little in comparison with half the step, or else by half the step.
+// How a frame is repeated to measure its error: the settings, and the factor from the difference to the error. Usually by half the step. A
+// method that dissipates vibrations faster than its step (h omega > 1) does so with half the step too, and both agree on what they lost: by
+// explicit steps that resolve them, where these cost no more than twice the frame, or 2 ms, by the model of the cost.
 struct Repetition {
   Settings settings;
   double weight = 1.0;
@@ -51,8 +45,8 @@ bool resolves_colliders(const Plan& plan, const Settings& used);
 // error, must not dilute that of the others.
 FrameError weighted_distance(const System& system, const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight);
 
-// The error that the method of `settings` makes in the one frame that follows `state`: RMS over the points [m]. Costs three frames, and
-// allocates. With `auto`, of the method and substeps that it chooses for that frame.
+// The error that the method of `settings` makes in the one frame that follows `state`: RMS over the points that are not nailed [m]. Costs
+// three frames, and allocates. With `auto`, of the method and substeps that it chooses for that frame.
 double estimate_frame_error(const System& system, const Settings& settings, const State& state);
 
 }  // namespace hooke

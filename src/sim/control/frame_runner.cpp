@@ -26,7 +26,7 @@ void FrameRunner::begin(Plan& plan, const System& system, const Settings& settin
   StepNeeds needs{.passage = shortest_passage(system, state, 1.0 / settings.frame_rate), .oscillation = plan.resolving_step};
   // a spring that vibrates may pass its limit and return between the ends of longer substeps
   if (may_break(plan, state)) needs.oscillation = std::min(needs.oscillation, control::max_turn / plan.spectrum.omega);
-  limits_ = StepLimits(plan.spectrum, needs);
+  limits_.update(plan.spectrum, needs);
   choose(plan);
 }
 
@@ -64,9 +64,8 @@ void FrameRunner::select(Plan& plan) {
 double FrameRunner::max_cost(const Plan& plan) const {
   if (settings_.budget_ms > 0.0) return settings_.budget_ms;
   if (!start_.memory.choice) return control::max_cost;
-  constexpr double short_frame = 0.05;  // [ms], below which a frame counts as this long
   const MethodChoice& last = *start_.memory.choice;
-  const double before = std::max(short_frame, CostModel(plan).expected(*last.method, last.substeps));
+  const double before = std::max(control::short_frame, CostModel(plan).expected(*last.method, last.substeps));
   return std::min(control::max_cost, control::max_cost_factor * before);
 }
 
@@ -122,7 +121,7 @@ void FrameRunner::judge(Plan& plan) {
 
   const int more = is_small_enough ? 4 * choice_.substeps
                                    : refined_substeps({.substeps = choice_.substeps, .error = controlled, .order = order}, share_);
-  const double next_cost = 1.5 * cost(plan) * more / choice_.substeps;
+  const double next_cost = control::cost_of_estimate * cost(plan) * more / choice_.substeps;
   if (more > max_automatic_substeps || frame_cost_ + next_cost > max_cost_) return accept(error, controlled, order);
   other_cost_ += cost(plan);
   if (!is_small_enough && ++rejections_ == control::max_rejections) {

@@ -11,7 +11,6 @@
 #include "sim/control/frame_error.h"
 #include "sim/control/step_controller.h"
 #include "sim/model/portable_math.h"
-#include "sim/step/divergence.h"
 
 namespace hooke {
 namespace {
@@ -22,22 +21,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 bool damps_vibrations(const Integrator& method) { return method.energy == EnergyTrend::Falls || method.stability == Stability::EachSpring; }
 
 }  // namespace
-
-void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& start, State& scratch) {
-  scratch = start;
-  frame.end(plan, scratch);
-  end.position = scratch.position;
-  end.velocity = scratch.velocity;
-  end.broken.assign(frame.broken().begin(), frame.broken().end());
-  end.has_touched = frame.has_touched();
-  end.has_impact = frame.has_impact();
-  end.is_finite = frame.failure() == StepFailure::None && is_finite(scratch);
-}
-
-int first_substeps(const Integrator& method, int substeps) {
-  const int factor = 1 << (runs_needed(method) - 1);
-  return (substeps + factor - 1) / factor;
-}
 
 std::optional<int> min_automatic_substeps(const StepLimits& limits, const Integrator& method, double frame_rate) {
   const Spectrum& spectrum = limits.spectrum();
@@ -100,7 +83,7 @@ std::vector<MethodSelector::Candidate> MethodSelector::candidates_for(const Step
     const auto min = min_automatic_substeps(limits, method, frame_rate);
     if (!min) continue;
     const int substeps = *min << (runs_needed(method) - 1);
-    list.push_back({.method = &method, .substeps = substeps, .cost = 1.5 * model.expected(method, substeps)});
+    list.push_back({.method = &method, .substeps = substeps, .cost = control::cost_of_estimate * model.expected(method, substeps)});
   }
   return list;
 }
@@ -126,10 +109,11 @@ FrameTrial MethodSelector::select(const Plan& plan, const System& system, const 
       is_met = meets;
     }
     // of what is too far from its asymptotic range, or diverged, the order says nothing
-    constexpr double max_factor = 1e3, on_failure = 4.0;
     const int order = order_of(system, *trial.method, runs_.finest());
     const double ratio = ratio_to_aim(trial.error, share);
-    const double factor = std::isfinite(ratio) ? std::clamp(1.1 * portable::pow(ratio, 1.0 / order), 1.5, max_factor) : on_failure;
+    const double factor = std::isfinite(ratio) ? std::clamp(control::trial_margin * portable::pow(ratio, 1.0 / order),
+                                                            control::min_trial_growth, control::max_trial_growth)
+                                               : control::growth_on_failure;
     const double more = factor * trial.substeps;
     if (is_small || more > max_automatic_substeps || ++next->attempts > control::max_rejections) {
       candidates.erase(next);

@@ -54,12 +54,6 @@ class MethodSelector {
   double total_cost_ = 0.0;
 };
 
-// Sets where the frame ended that followed `start`. `scratch`: memory that is used again.
-void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& start, State& scratch);
-
-// The substeps of the first run of a frame whose last one takes so many.
-int first_substeps(const Integrator& method, int substeps);
-
 // The fewest substeps with which `auto` uses the method: stable ones that resolve what moves, and dashpots where the method splits them
 // off; none: it does not.
 std::optional<int> min_automatic_substeps(const StepLimits& limits, const Integrator& method, double frame_rate);

@@ -30,6 +30,18 @@ StepNeeds step_needs(const System& system, const State& state) {
   return {recommended_margin(system, state), shortest_passage(system, state), fastest_oscillation(system).resolving_step};
 }
 
+void StepLimits::update(const Spectrum& spectrum, const StepNeeds& needs) {
+  if (spectrum != spectrum_) stable_steps_.clear();
+  spectrum_ = spectrum;
+  needs_ = needs;
+}
+
+double StepLimits::stable_step(const Integrator& method) const {
+  for (const auto& [known, step] : stable_steps_)
+    if (known == &method) return step;
+  return stable_steps_.emplace_back(&method, largest_stable_step(method, spectrum_)).second;
+}
+
 std::optional<int> StepLimits::stable_substeps(const Integrator& method, double frame_rate) const {
   const double step = stable_step(method);
   if (step == 0.0) return std::nullopt;

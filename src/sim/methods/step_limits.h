@@ -3,6 +3,8 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "sim/methods/integrator.h"
 #include "sim/methods/passage_step.h"
@@ -29,8 +31,11 @@ class StepLimits {
  public:
   explicit StepLimits(const Spectrum& spectrum, const StepNeeds& needs = {}) : spectrum_(spectrum), needs_(needs) {}
 
+  // The same object for another state or scene: what was computed of the spectrum is kept if that is the same.
+  void update(const Spectrum& spectrum, const StepNeeds& needs);
+
   // [s], the longest step at which no linear mode grows, and at which contact causes no growth; 0: none, infinity: any.
-  double stable_step(const Integrator& method) const { return largest_stable_step(method, spectrum_); }
+  double stable_step(const Integrator& method) const;
   // The fewest substeps per frame within that limit; none if no step is stable, or there are too many.
   std::optional<int> stable_substeps(const Integrator& method, double frame_rate) const;
   // The fewest that resolve passages and oscillations, 1 without any; none if there are too many.
@@ -46,6 +51,7 @@ class StepLimits {
  private:
   Spectrum spectrum_;
   StepNeeds needs_;
+  mutable std::vector<std::pair<const Integrator*, double>> stable_steps_;  // those computed so far: each takes hundreds of evaluations
 };
 
 }  // namespace hooke
