@@ -69,6 +69,13 @@ double FrameRunner::max_cost(const Plan& plan) const {
   return std::min(control::max_cost, control::max_cost_factor * before);
 }
 
+// [ms], that a frame in which something touches or breaks may cost: relative to the fewest substeps, since chains of impacts amplify every
+// error, and frames that follow each other would each take more than the one before.
+double FrameRunner::max_cost_of_events(const Plan& plan) const {
+  const double fewest = std::max(control::short_frame, CostModel(plan).expected(*choice_.method, choice_.min_substeps));
+  return std::min(max_cost_, control::max_cost_factor * fewest);
+}
+
 void FrameRunner::start(Plan& plan, int substeps) {
   if (!plan.break_length.empty()) refresh_values(plan, *system_);  // restores springs that broke in the run before
   settings_.integrator = choice_.method;
@@ -122,7 +129,8 @@ void FrameRunner::judge(Plan& plan) {
   const int more = is_small_enough ? 4 * choice_.substeps
                                    : refined_substeps({.substeps = choice_.substeps, .error = controlled, .order = order}, share_);
   const double next_cost = control::cost_of_estimate * cost(plan) * more / choice_.substeps;
-  if (more > max_automatic_substeps || frame_cost_ + next_cost > max_cost_) return accept(error, controlled, order);
+  const double max_cost = runs_.have_events() ? max_cost_of_events(plan) : max_cost_;
+  if (more > max_automatic_substeps || frame_cost_ + next_cost > max_cost) return accept(error, controlled, order);
   other_cost_ += cost(plan);
   if (!is_small_enough && ++rejections_ == control::max_rejections) {
     const Integrator* before = choice_.method;

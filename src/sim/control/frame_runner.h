@@ -49,6 +49,7 @@ class FrameRunner {
   void judge(Plan& plan);
   void accept(std::optional<double> error, double controlled, int order);
   double max_cost(const Plan& plan) const;
+  double max_cost_of_events(const Plan& plan) const;
 
   Frame frame_;
   MethodSelector selector_;
