@@ -38,7 +38,7 @@ set(owners
   "^(imgui|imstb|misc/|backends/).*"    "^(ui/|draw/gl/gui_renderer[.]|app/window/imgui_backend[.])"
   "^png[.]h$"                           "^(draw/|formats/png_picture[.]cpp$)"
   "^rapidjson/"                         "^(base/|study/work_precision_file[.]cpp$)"
-  "^tiny_obj_loader[.]h$"               "^formats/mesh/obj_text[.]cpp$"
+  "^zlib[.]h$"                          "^base/read_file[.]cpp$"
   "^CLI/"                               "^(cli/|app/window/main[.]cpp$)"
   "^pybind11/"                          "^python/"
   "^hwy/"                               "^(sim/|study/kernels/machine_loops[.]cpp$)"

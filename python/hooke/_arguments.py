@@ -35,6 +35,12 @@ def number(name: str, value: Any) -> float:
         raise TypeError(f"{name}: {_shown(value)}: must be a number") from None
 
 
+def import_options(weld: float | None, scale: float | None, up: str | None) -> dict[str, str]:
+    """How a mesh is read."""
+    lengths = {name: repr(number(name, value)) for name, value in (("weld", weld), ("scale", scale)) if value is not None}
+    return lengths if up is None else lengths | {"up": text("up", up)}
+
+
 def integer(name: str, value: Any) -> int:
     """A whole number; 40.0 is one."""
     if not isinstance(value, (bool, np.bool_)):

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _hooke
-from ._arguments import integer, names, path, text, optional, whole_numbers
+from ._arguments import import_options, integer, names, path, text, optional, whole_numbers
 from ._progress import bar
 from .results import Chart, Check, Replay, Sweep
 from .scene import CaptureResult, _capture_options, load
@@ -64,9 +64,13 @@ def check_hard(cases: ArrayLike = (), methods: str | Sequence[str] = (), *, quic
     return HardCases(json.loads(document)["cases"], broken)
 
 
-def convert(source: str | os.PathLike[str], target: str | os.PathLike[str]) -> list[str]:
-    """Converts a file, or a shipped scene, to the format of the extension of `target`, as `hooke convert`. Returns warnings."""
-    return _hooke.convert(path("source", source), path("target", target))
+def convert(source: str | os.PathLike[str], target: str | os.PathLike[str], *, weld: float | None = None, scale: float | None = None,
+            up: str | None = None) -> list[str]:
+    """Converts a file, or a shipped scene, to the format of the extension of `target`, as `hooke convert`. Returns warnings.
+
+    weld, scale, up: how a mesh is read, as in hooke.load
+    """
+    return _hooke.convert(path("source", source), path("target", target), import_options(weld, scale, up))
 
 
 def replay(file: str | os.PathLike[str], *, progress: bool | None = None) -> Replay:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _hooke
-from ._arguments import array, integer, json_value, names, number, optional, path, switches, text, whole_numbers
+from ._arguments import array, import_options, integer, json_value, names, number, optional, path, switches, text, whole_numbers
 from ._hooke import InputError
 from ._parameters import Array, Parameterized, setting_text
 from ._progress import bar
@@ -34,9 +34,14 @@ def _warn(lines: Sequence[str], stacklevel: int) -> None:
         warnings.warn(line, HookeWarning, stacklevel=stacklevel + 1)
 
 
-def load(name: str | os.PathLike[str]) -> Scene:
-    """Loads a shipped scene by its name, such as "cloth", or a file: .json, .obj, .xsp. See hooke.scenes()."""
-    return Scene._of(_hooke.Scene.load(path("name", name)))
+def load(name: str | os.PathLike[str], *, weld: float | None = None, scale: float | None = None, up: str | None = None) -> Scene:
+    """Loads a shipped scene by its name, such as "cloth", or a file: .json, .obj, .xsp. See hooke.scenes().
+
+    weld: of a mesh, joins the points of open edges that are closer than this [m]
+    scale: of a mesh, the length of its unit [m], 0.001 for millimeters
+    up: of a mesh, the axis that points up, "y" or "z"
+    """
+    return Scene._of(_hooke.Scene.load(path("name", name), import_options(weld, scale, up)))
 
 
 class CaptureResult(NamedTuple):

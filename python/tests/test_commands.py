@@ -71,6 +71,15 @@ def test_the_parts_of_a_benchmark_are_merged_into_that_of_the_command_line(tmp_p
         assert ours[setting]["error_m"] == pytest.approx(theirs[setting]["error_m"], rel=1e-6)
 
 
+def test_meshes_are_read_with_the_options_of_the_command_line(tmp_path):
+    mesh, out = tmp_path / "sheet.obj", tmp_path / "out.json"
+    mesh.write_text("v 0 0 0\nv 1000 0 0\nv 0 0 500\nf 1 2 3\n")
+    assert hooke.load(mesh, scale=0.001, up="z").positions[2].tolist() == [0.0, 0.5, 0.0]
+    assert hooke.convert(mesh, out, scale=0.001, weld=0) == []
+    with pytest.raises(hooke.UsageError, match="up: x: must be y or z"):
+        hooke.load(mesh, up="x")
+
+
 def test_checks_are_those_of_the_command_line(command_line):
     results = hooke.check(["two_masses"])
     lines = [f"{'passed' if each.passed else 'FAILED'}  {each.scene}, {each.method}: {each.measured}" for each in results]

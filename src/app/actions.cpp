@@ -47,7 +47,7 @@ void App::handle(const Request& request) {
                    lab_.submit(control);
                  },
                  [this](Action action) { perform(action); },
-                 [this](const OpenFile& open_file) { document_.open(typed_path(open_file.file)); },
+                 [this](const OpenFile& open_file) { document_.open(typed_path(open_file.file), open_file.options); },
                  [this](const SaveFile& save_file) { document_.save_to(typed_path(save_file.file)); },
                  [this](const ChooseTexture& choose) { choose_texture(choose.texture); },
                  [this](const LookFrom& look) { camera_control_.look_from(look.direction); },

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <cerrno>
 #include <cstring>
@@ -63,7 +64,47 @@ std::string read_all(const Descriptor& descriptor, const std::string& name) {
   return bytes;
 }
 
+// One gzip file, or several one after the other.
+std::string decompressed(const std::string& bytes, const std::string& name) {
+  struct Inflater {
+    z_stream stream{};
+    ~Inflater() { inflateEnd(&stream); }
+  } inflater;
+  z_stream& stream = inflater.stream;
+  constexpr int gzip_only = 16;  // added to the size of the window (zlib.h)
+  if (inflateInit2(&stream, MAX_WBITS + gzip_only) != Z_OK) throw FileError(name + ": cannot be decompressed");
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  std::string text;
+  std::string block(std::size_t{1} << 16, '\0');
+  for (;;) {
+    stream.next_out = reinterpret_cast<Bytef*>(block.data());
+    stream.avail_out = static_cast<uInt>(block.size());
+    const int result = inflate(&stream, Z_NO_FLUSH);
+    text.append(block, 0, block.size() - stream.avail_out);
+    if (text.size() > max_file_bytes) refuse_size(name, text.size());
+    if (result == Z_STREAM_END) {
+      if (stream.avail_in == 0) return text;
+      inflateReset(&stream);
+    } else if (result != Z_OK) {
+      throw InputError(name + ": file: damaged or incomplete gzip");
+    }
+  }
+}
+
 }  // namespace
+
+std::string read_text_file(const std::filesystem::path& file) {
+  const std::string name = printable(file.native());
+  std::string text = read_file(file);
+  if (text.starts_with("\x1f\x8b")) text = decompressed(text, name);
+  if (text.starts_with("\xef\xbb\xbf")) return text.substr(3);
+  // every second byte of ASCII characters in UTF-16 is 0
+  const bool has_mark = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+  if (has_mark || (text.size() >= 2 && (text[0] == '\0') != (text[1] == '\0')))
+    throw InputError(name + ": encoding: UTF-16: must be UTF-8 or ASCII");
+  return text;
+}
 
 std::string read_file(const std::filesystem::path& file) {
   const std::string name = printable(file.native());

@@ -10,8 +10,12 @@ namespace hooke {
 // without reading it, and FileError if the system cannot open or read it.
 std::string read_file(const std::filesystem::path& file);
 
-// The same for a file in `folder` or below it. Refuses a path that is absolute, leaves the folder or passes through a symbolic link. `name`
-// is the file in messages.
+// The text of a file, which may be compressed (gzip) and begin with the byte order mark of UTF-8. Throws InputError also for UTF-16, and
+// for compressed text that is damaged or of more than max_file_bytes.
+std::string read_text_file(const std::filesystem::path& file);
+
+// The same as read_file for a file in `folder` or below it. Refuses a path that is absolute, leaves the folder or passes through a symbolic
+// link. `name` is the file in messages.
 std::string read_file_within(const std::filesystem::path& folder, const std::filesystem::path& path, const std::string& name);
 
 }  // namespace hooke

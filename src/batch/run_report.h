@@ -63,6 +63,8 @@ class RunOutput {
   // Whether the files contain errors; whether a chosen quantity is one, which is then not null only if they are measured.
   bool needs_accuracy() const { return json_ || has_chosen_errors(); }
   bool has_chosen_errors() const { return csv_ && has_chosen_quantities_ && csv_->needs_accuracy(); }
+  // What the files represent only coarsely.
+  std::optional<std::string> warning() const { return pc2_ ? point_cache_warning(scene_.state) : std::nullopt; }
   // Writes samples and frames; must not outlive this object.
   RunHooks hooks();
   void finish(const RunTotals& totals);

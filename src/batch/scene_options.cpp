@@ -83,7 +83,7 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
 
 LoadedScene load_with_options(const SceneOptions& options) {
   parse(options);
-  LoadedScene loaded = load_file(find_scene(options.scene));
+  LoadedScene loaded = load_file(find_scene(options.scene), {}, options.import);
   apply_options(loaded, options, options.scene);
   return loaded;
 }

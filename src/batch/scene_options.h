@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "edit/setting_text.h"
+#include "formats/import_options.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 
@@ -24,6 +25,7 @@ struct SteppingOptions {
 
 struct SceneOptions : SteppingOptions {
   std::string scene;  // a file, or the id of a shipped scene
+  ImportOptions import;
   bool quiet = false;
 };
 

@@ -42,6 +42,22 @@ CLI::Validator one_of(std::vector<std::string> names) {
   return CLI::Validator(check, "", "");
 }
 
+void add_import_options(CLI::App& app, ImportOptions& options) {
+  for (const ImportOption& row : import_options()) {
+    const std::string name(row.name);
+    const bool is_taken = app.get_option_no_throw("--" + name) != nullptr;
+    app.add_option_function<std::string>((is_taken ? "" : "--" + name + ",") + "--mesh-" + name,
+                                         [&row, &options](const std::string& text) { row.set(options, text); },
+                                         std::string(row.description))
+        ->type_name(std::string(row.value));
+  }
+}
+
+void print_notes(const LoadedScene& loaded) {
+  if (!loaded.summary.empty()) std::cerr << loaded.summary << "\n";
+  for (const std::string& warning : loaded.warnings) std::cerr << "warning: " << warning << "\n";
+}
+
 std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene) {
   auto options = std::make_shared<SceneOptions>();
   app.add_option("SCENE", options->scene, "A file (" + readable_extensions() + "), or the name of a shipped scene")
@@ -68,6 +84,8 @@ std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene) {
 std::optional<std::string> first_stepping_option(const CLI::App& app) {
   for (const char* name : {"--integrator", "--substeps", "--frame-rate", "--tolerance", "--set"})
     if (app.count(name) > 0) return name;
+  for (const ImportOption& row : import_options())
+    if (const std::string name = "--mesh-" + std::string(row.name); app.count(name) > 0) return name;
   return std::nullopt;
 }
 
@@ -88,8 +106,7 @@ void add_shard_option(CLI::App& app, std::string& shard) {
 
 Scene open_scene(const SceneOptions& options) {
   LoadedScene loaded = load_with_options(options);
-  if (!options.quiet)
-    for (const std::string& warning : loaded.warnings) std::cerr << "warning: " << warning << "\n";
+  if (!options.quiet) print_notes(loaded);
   return std::move(loaded.scene);
 }
 

@@ -10,11 +10,17 @@
 
 namespace hooke {
 
+// Declares the options of meshes: --weld, --scale, --up, also as --mesh-weld and so on, for a subcommand that has another --scale.
+void add_import_options(CLI::App& app, ImportOptions& options);
+
+// Writes the size of a mesh and the warnings to stderr.
+void print_notes(const LoadedScene& loaded);
+
 // Declares SCENE, --integrator, --substeps, --frame-rate, --tolerance, --set and --quiet.
 enum class SceneIs { Required, Optional };
 std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene = SceneIs::Required);
 
-// The first option given that changes how a scene is stepped, such as "--substeps"; none if only SCENE and --quiet are given.
+// The first option given that changes how a scene is read or stepped, such as "--substeps"; none if only SCENE and --quiet are given.
 std::optional<std::string> first_stepping_option(const CLI::App& app);
 
 // Declares --threads N, on which frames are computed.

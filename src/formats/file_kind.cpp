@@ -46,6 +46,11 @@ const FileKind* find_file_kind(const std::filesystem::path& file) {
   return nullptr;
 }
 
+const FileKind* find_readable_kind(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  return find_file_kind(extension == ".gz" || extension == ".GZ" ? file.stem() : file);
+}
+
 std::string readable_extensions() {
   return list_extensions([](const FileKind& row) { return row.parse != nullptr; });
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/table.h"
+#include "formats/import_options.h"
 #include "formats/scene_file.h"
 #include "scene/quantity.h"
 
@@ -38,7 +39,7 @@ struct FileKind {
   std::string_view title;      // "Wavefront mesh"
   bool is_native = false;      // preserves everything; saving in another format is an export
   // From memory; `file` is its name in messages. Null: not readable.
-  LoadedScene (*parse)(std::string_view text, const std::string& file) = nullptr;
+  LoadedScene (*parse)(std::string_view text, const std::string& file, const ImportOptions& options) = nullptr;
   // Appends to `losses` what the format cannot represent, one sentence each. Throws InputError. Null: cannot be written from a scene.
   std::string (*format)(const Scene& scene, const std::string& file, std::vector<std::string>& losses) = nullptr;
   // A second file that the first one refers to, of the same name with this extension, written before it. Empty, null: there is none.
@@ -63,6 +64,9 @@ Table<FileKind> export_kinds();
 
 // By the extension, ignoring case; null if it is not in the table.
 const FileKind* find_file_kind(const std::filesystem::path& file);
+
+// The same for a file that is read, which may be compressed: "net.obj.gz".
+const FileKind* find_readable_kind(const std::filesystem::path& file);
 
 // ".json, .obj or .xsp": the extensions that can be read, or to which a scene can be written.
 std::string readable_extensions();

@@ -6,13 +6,21 @@
 
 namespace hooke {
 
-LoadedScene load_file(const std::filesystem::path& file, const Progress& progress) {
-  const FileKind* kind = find_file_kind(file);
-  if (kind == nullptr || kind->is_native) return load_scene(file, progress);
+LoadedScene load_file(const std::filesystem::path& file, const Progress& progress, const ImportOptions& options) {
+  const FileKind* kind = find_readable_kind(file);
   const std::string name = printable(file.native());
-  if (kind->parse == nullptr)
-    throw InputError(name + ": file format: " + std::string(kind->extension) + ": can only be written: must be " + readable_extensions());
-  return kind->parse(read_file(file), name);
+  if (options != ImportOptions() && (kind == nullptr || !kind->is_mesh)) throw InputError(name + ": weld, scale and up: only of a mesh");
+  if (kind == nullptr ? !file.has_extension() : kind->is_native) return load_scene(file, progress);
+  const auto refuse = [&](const std::string& reason) {
+    throw InputError(name + ": file format: " + printable(file.extension().native()) + ": " + reason + readable_extensions());
+  };
+  if (kind != nullptr && kind->parse == nullptr) refuse("can only be written: must be ");
+  const std::string text = read_text_file(file);
+  // a scene under another name
+  if (const std::size_t first = text.find_first_not_of(" \t\r\n"); kind == nullptr && first != std::string::npos && text[first] == '{')
+    return load_scene(file, progress);
+  if (kind == nullptr) refuse("must be ");
+  return kind->parse(text, name, options);
 }
 
 std::vector<std::string> write_scene_as(const Scene& scene, const std::filesystem::path& file) {

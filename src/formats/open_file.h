@@ -5,9 +5,9 @@
 
 namespace hooke {
 
-// A file without a known extension is read as a JSON scene. For any bytes, throws nothing but InputError or FileError. Opens no other file
-// except a texture in the folder of the file. Only scenes report progress.
-LoadedScene load_file(const std::filesystem::path& file, const Progress& progress = {});
+// A file without an extension is read as a JSON scene. For any bytes, throws nothing but InputError or FileError. Opens no other file
+// except a texture in the folder of the file. Only scenes report progress. Throws InputError for options of meshes with another file.
+LoadedScene load_file(const std::filesystem::path& file, const Progress& progress = {}, const ImportOptions& options = {});
 
 // Writes the file atomically, after the second file of formats that have one. Returns what the format cannot represent. Throws InputError
 // or FileError, and leaves the old file unchanged.

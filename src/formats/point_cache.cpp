@@ -1,7 +1,10 @@
 #include "formats/point_cache.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <string_view>
 
@@ -56,6 +59,21 @@ void PointCacheWriter::close() {
   const Header header{.points = points_, .samples = samples_};
   file_.overwrite(0, bytes_of(header));
   file_.commit();
+}
+
+std::optional<std::string> point_cache_warning(const State& state) {
+  constexpr double half_unit = 0x1p-24, max_relative_error = 1e-5;  // of a float; of the size of the scene
+  if (state.position.empty()) return std::nullopt;
+  Vec3 min = state.position[0], max = min;
+  for (const Vec3& x : state.position) {
+    min = glm::min(min, x);
+    max = glm::max(max, x);
+  }
+  const Vec3 farthest = glm::max(glm::abs(min), glm::abs(max));
+  const double error = half_unit * std::max({farthest.x, farthest.y, farthest.z});
+  if (error <= max_relative_error * glm::distance(min, max)) return std::nullopt;
+  return "point cache: positions are rounded by up to " + format_rounded(1000.0 * error) +
+         " mm: the scene is far from the origin, compared with its size";
 }
 
 namespace {

@@ -4,11 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "base/atomic_write.h"
-#include "base/types.h"
+#include "sim/model/state.h"
 
 namespace hooke {
 
@@ -31,5 +32,8 @@ class PointCacheWriter {
   AtomicFile file_;
   std::int32_t points_, samples_ = 0;
 };
+
+// A sentence if the numbers of the format are coarse compared with the scene, because it is far from the origin.
+std::optional<std::string> point_cache_warning(const State& state);
 
 }  // namespace hooke

@@ -16,6 +16,7 @@ namespace hooke {
 struct LoadedScene {
   Scene scene;
   std::vector<std::string> warnings;  // one line each: unknown keys, coincident points, an explicit step beyond its limit
+  std::string summary;                // one line, of a mesh: its size
 };
 
 // Reads a scene. For any bytes, throws nothing but InputError or FileError; InputError if `progress` cancels it.

@@ -99,6 +99,7 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
   // a run that ends between two samples adds one
   Samples samples(lab->lab, points, SampleClock::max_count(sample, frame_rate, frames) + 1);
   RunOutput output(files, scene.name, lab->lab.scene(), points);
+  const std::optional<std::string> coarse = output.warning();
 
   std::optional<Change> guard(*lab);
   lab->is_in_run = true;
@@ -126,6 +127,7 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
     results = run_frames(lab->lab, request, hooks);
     output.finish(results.totals);
   }
+  if (coarse) results.warnings.push_back(*coarse);
   py::dict entry = samples.take();
   const RunTotals& totals = results.totals;
   entry["seconds"] = totals.seconds;

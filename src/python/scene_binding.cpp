@@ -32,7 +32,9 @@ void check_value(const std::string& field, double value, const Bounds& bounds) {
     throw InputError(field + ": " + format_exact(value) + ": " + reason);
 }
 
-NamedScene load(const std::string& name) { return {name, load_file(find_scene(name))}; }
+NamedScene load(const std::string& name, const std::map<std::string, std::string>& options) {
+  return {name, load_file(find_scene(name), {}, to_import_options(options))};
+}
 
 NamedScene parse(const std::string& text, const std::string& name) { return {name, parse_scene(text, name)}; }
 
@@ -212,6 +214,13 @@ auto parse_item(const char* owner, const std::string& name, const std::string& v
 }
 
 }  // namespace
+
+ImportOptions to_import_options(const std::map<std::string, std::string>& texts) {
+  ImportOptions options;
+  for (const ImportOption& row : import_options())
+    if (const auto text = texts.find(std::string(row.name)); text != texts.end()) row.set(options, text->second);
+  return options;
+}
 
 void check_flat(const System& system, const std::string& name, const std::vector<Vec3>& vectors) {
   if (system.dimensions == 3) return;

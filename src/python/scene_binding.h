@@ -1,6 +1,7 @@
 // A scene as Python holds it, and the functions that bind the classes of the module.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ struct NamedScene {
 const Parameter& parameter_of(const char* owner, const std::string& name);
 SetParameter setting_of(const char* owner, const std::string& name, const std::string& value);
 py::object value_of(const Scene& scene, const Parameter& parameter);
+
+// From the texts of the options by name. Throws UsageError.
+ImportOptions to_import_options(const std::map<std::string, std::string>& texts);
 
 // Throws InputError if the scene is 2-D and a vector leaves its plane.
 void check_flat(const System& system, const std::string& name, const std::vector<Vec3>& vectors);

@@ -139,7 +139,9 @@ void bind_study(py::module_& module) {
   module.def("save_bench", &save_bench);
   module.def("check", &check);
   module.def("check_hard", &check_hard);
-  module.def("convert", &convert_file);
+  module.def("convert", [](const std::string& source, const std::string& target, const std::map<std::string, std::string>& options) {
+    return convert_file(source, target, to_import_options(options)).warnings;
+  });
 }
 
 }  // namespace hooke::python

@@ -124,10 +124,11 @@ struct Choice {
 struct Dialog {
   enum class Kind { None, Message, Open, Save, Unsaved, Texture, Recovery, Working };
   Kind kind = Kind::None;
-  std::string title, text;      // of a message
-  std::vector<Choice> choices;  // its buttons: Enter chooses the first, Esc the last; without any, "OK"
-  std::string typed;            // the path
-  int text_version = 0;         // incremented when the program changes the path, so that the text field is recreated
+  std::string title, text;                // of a message
+  std::vector<Choice> choices;            // its buttons: Enter chooses the first, Esc the last; without any, "OK"
+  std::string typed;                      // the path
+  std::vector<std::string> import_texts;  // of import_options(), for a mesh
+  int text_version = 0;                   // incremented when the program changes the path, so that the text field is recreated
   Browser browser;
   bool selects_name = false;  // in the path, without folder and extension
   bool picks_mesh = false;    // an .obj file for the placement

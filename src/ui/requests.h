@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "formats/import_options.h"
 #include "lab/lab.h"
 #include "scene/shape.h"
 #include "ui/actions.h"
@@ -20,6 +21,7 @@ struct Edit {
 };
 struct OpenFile {
   std::filesystem::path file;
+  ImportOptions options;
 };
 struct SaveFile {
   std::filesystem::path file;

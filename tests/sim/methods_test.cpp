@@ -34,9 +34,8 @@ Amplification stepped(const Integrator& row, const Oscillator& oscillator, doubl
     sim.system.dimensions = 2;
     sim.system.gravity = Vec3(0.0);
     sim.system.drag = oscillator.h_drag / h;
-    // a nail adds to the mass of the scene but not to the damped mass
     if (oscillator.h_rate > 0.0)
-      sim.system.forces = {{.term = &mass_center_force, .values = {0.0, 0.0, 0.0, 0.0, oscillator.h_rate / h * 3.0 * 3.0 / 2.0}}};
+      sim.system.forces = {{.term = &mass_center_force, .values = {0.0, 0.0, 0.0, 0.0, oscillator.h_rate / h * 2.0}}};
     const PointId point = sim.add({i == 0 ? s : 0.0, 0.0, 0.0}, 2.0, {i == 1 ? s / h : 0.0, 0.0, 0.0});
     sim.join(point, sim.nail({-0.5, 0.0, 0.0}), 2.0 * oscillator.h_omega_squared / (h * h), 0.5, 2.0 * oscillator.h_lambda / h);
     sim.run(row, h, 1);

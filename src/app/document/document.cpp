@@ -56,8 +56,8 @@ void Document::create(int dimensions) {
   confirm_unsaved_then([this, dimensions] { replace(std::make_shared<const Scene>(empty_scene(dimensions)), {}); });
 }
 
-void Document::open(const std::filesystem::path& file) {
-  confirm_unsaved_then([this, file] { read(file); });
+void Document::open(const std::filesystem::path& file, const ImportOptions& options) {
+  confirm_unsaved_then([this, file, options] { read(file, options); });
 }
 
 void Document::close(std::function<void()> finish) { confirm_unsaved_then(std::move(finish)); }

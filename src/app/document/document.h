@@ -31,7 +31,7 @@ class Document {
   // Each of these asks about unsaved changes first.
   // An empty scene in 2 or 3 dimensions.
   void create(int dimensions);
-  void open(const std::filesystem::path& file);
+  void open(const std::filesystem::path& file, const ImportOptions& options = {});
   void close(std::function<void()> finish);
   // The user's answer to a question of this class.
   void answer(Answer given);
@@ -73,8 +73,8 @@ class Document {
   void replace(std::shared_ptr<const Scene> scene, std::filesystem::path file, bool unsaved = false);
   void begin();
   void start_task(std::string what, BackgroundTask::Work work);
-  void read(const std::filesystem::path& file);
-  void read_scene(const std::filesystem::path& file);
+  void read(const std::filesystem::path& file, const ImportOptions& options);
+  void read_scene(const std::filesystem::path& file, const ImportOptions& options);
   void read_recording_file(const std::filesystem::path& file);
   void write_to(const std::filesystem::path& file);
   void finish_saving(const std::filesystem::path& file, const std::string& error);

@@ -32,13 +32,13 @@ std::string opening_notice(const Scene& scene, const std::vector<std::string>& w
   return joined(lines);
 }
 
-Opened try_open(const std::filesystem::path& file, const Progress& progress) {
+Opened try_open(const std::filesystem::path& file, const Progress& progress, const ImportOptions& options) {
   try {
-    LoadedScene loaded = load_file(file, progress);
+    LoadedScene loaded = load_file(file, progress, options);
     std::string notice = opening_notice(loaded.scene, loaded.warnings, file);
-    return {std::make_shared<const Scene>(std::move(loaded.scene)), {}, std::move(notice)};
+    return {std::make_shared<const Scene>(std::move(loaded.scene)), {}, std::move(notice), std::move(loaded.summary)};
   } catch (const std::runtime_error& refusal) {  // InputError or FileError
-    return {nullptr, refusal.what(), {}};
+    return {nullptr, refusal.what(), {}, {}};
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/progress.h"
 #include "edit/command.h"
+#include "formats/import_options.h"
 
 namespace hooke {
 
@@ -21,8 +22,9 @@ std::string opening_notice(const Scene& scene, const std::vector<std::string>& w
 struct Opened {
   std::shared_ptr<const Scene> scene;  // null on error
   std::string error, warnings;         // lines
+  std::string summary;                 // the size of a mesh
 };
-Opened try_open(const std::filesystem::path& file, const Progress& progress);
+Opened try_open(const std::filesystem::path& file, const Progress& progress, const ImportOptions& options = {});
 
 // Returns an error text, empty on success.
 std::string try_save(const Scene& scene, const std::filesystem::path& file, const Progress& progress);

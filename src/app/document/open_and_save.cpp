@@ -35,16 +35,16 @@ void Document::start_task(std::string what, BackgroundTask::Work work) {
   if (!task_.start(std::move(what), std::move(work))) pending_ = nullptr;
 }
 
-void Document::read(const std::filesystem::path& file) {
+void Document::read(const std::filesystem::path& file, const ImportOptions& options) {
   if (file.extension() == recording_extension)
     read_recording_file(file);
   else
-    read_scene(file);
+    read_scene(file, options);
 }
 
-void Document::read_scene(const std::filesystem::path& file) {
-  start_task("Opening " + name_of(file), [this, file](const Progress& progress) -> BackgroundTask::Completion {
-    return [this, file, opened = try_open(file, progress)] {
+void Document::read_scene(const std::filesystem::path& file, const ImportOptions& options) {
+  start_task("Opening " + name_of(file), [this, file, options](const Progress& progress) -> BackgroundTask::Completion {
+    return [this, file, opened = try_open(file, progress, options)] {
       if (task_.was_stopped()) return panels_.show_toast("Canceled: nothing was opened");
       if (!opened.scene) {
         std::error_code error;
@@ -52,9 +52,10 @@ void Document::read_scene(const std::filesystem::path& file) {
         return panels_.show_message("Cannot open the scene", opened.error);
       }
       // a file of another format is imported: the document has no file
-      const bool imported = find_file_kind(file) != nullptr && !is_scene_file(file);
+      const bool imported = find_readable_kind(file) != nullptr && !is_scene_file(file);
       replace(opened.scene, imported ? std::filesystem::path() : file);
       panels_.file_warnings = opened.warnings;
+      if (!opened.summary.empty()) panels_.show_toast(opened.summary);
     };
   });
 }

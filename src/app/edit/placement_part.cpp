@@ -88,7 +88,7 @@ void turn(Scene& part, double turn_degrees, double tilt_degrees) {
 
 MeshPart load_mesh_part(const std::filesystem::path& file, const Progress& progress) {
   try {
-    const FileKind* kind = find_file_kind(file);
+    const FileKind* kind = find_readable_kind(file);
     if (kind == nullptr || !kind->is_mesh) return {nullptr, printable(file.native()) + ": must be an .obj file"};
     Scene scene = load_file(file, progress).scene;
     const Box box = box_around(scene.state.position);

@@ -3,7 +3,9 @@
 #include "app/document/files.h"
 #include "base/atomic_write.h"
 #include "base/printable.h"
+#include "formats/file_kinds.h"
 #include "formats/open_file.h"
+#include "formats/point_cache.h"
 #include "study/frame_export.h"
 
 namespace hooke {
@@ -55,6 +57,7 @@ void Exporter::export_frames(const FileKind& kind) {
   if (kind.has_quantities)
     if (const std::string error = read_quantities(state.quantities, scene.system, wanted.quantities); !error.empty())
       return panels_.show_message("Cannot export", error);
+  if (const auto warning = point_cache_warning(scene.state); warning && &kind == &pc2_file) panels_.file_warnings = *warning;
   started_ = std::chrono::steady_clock::now();
   shared_ = std::make_shared<Shared>();
   run_ = std::async(std::launch::async, [scene = std::move(scene), wanted, shared = shared_]() mutable -> std::string {

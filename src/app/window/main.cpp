@@ -54,7 +54,7 @@ std::unique_ptr<App> open_scene(const std::string& name) {
     loaded = load_file(file);
   }
   // a file of another format is imported: the document has no file
-  const bool imported = recording || (find_file_kind(file) != nullptr && !is_scene_file(file));
+  const bool imported = recording || (find_readable_kind(file) != nullptr && !is_scene_file(file));
   const std::string notice = opening_notice(loaded.scene, loaded.warnings, file);
   auto app =
       std::make_unique<App>(std::make_shared<const Scene>(std::move(loaded.scene)), imported ? std::filesystem::path() : file, xdg_home());

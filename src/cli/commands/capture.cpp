@@ -87,6 +87,7 @@ std::function<int()> declare_capture(CLI::App& app) {
       ->type_name("S")
       ->check(within({.min = 0.5, .max = 4.0}))
       ->capture_default_str();
+  add_import_options(app, options->scene->import);
   add_threads_option(app, options->threads);
   app.add_flag("--ui", options->panels, "Include the panels of the window");
   app.add_option(

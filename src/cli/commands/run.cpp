@@ -124,6 +124,7 @@ int run(const RunOptions& options) {
 
   // open the files first, so that an invalid path is reported before the work
   RunOutput output(options.output.files, options.scene->scene, scene, points);
+  if (const auto warning = output.warning(); warning && !options.scene->quiet) std::cerr << "warning: " << *warning << "\n";
   request.accuracy = options.output.accuracy.value_or(default_accuracy(options, output));
   RunHooks hooks = output.hooks();
   std::optional<ProgressBar> progress;
@@ -145,6 +146,7 @@ int run(const RunOptions& options) {
 std::function<int()> declare_run(CLI::App& app) {
   auto options = std::make_shared<RunOptions>();
   options->scene = add_scene_options(app);
+  add_import_options(app, options->scene->import);
   app.add_option("--seconds", options->seconds, "Simulated time, rounded up to whole frames [s]")
       ->required()
       ->type_name("S")

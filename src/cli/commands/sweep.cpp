@@ -81,6 +81,7 @@ int merge_parts(const SweepOptions& options) {
 std::function<int()> declare_sweep(CLI::App& app) {
   auto options = std::make_shared<SweepOptions>();
   options->scene = add_scene_options(app, SceneIs::Optional);
+  add_import_options(app, options->scene->import);
   app.add_option(
          "--vary", options->vary,
          "A parameter and its values, as a list or as MIN:MAX:log:COUNT or MIN:MAX:lin:COUNT; may be repeated: every combination is "

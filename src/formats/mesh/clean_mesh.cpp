@@ -8,85 +8,137 @@
 
 #include "base/errors.h"
 #include "base/text_lines.h"
+#include "formats/mesh/seams.h"
+#include "formats/mesh/triangulate.h"
 #include "formats/mesh/weld_vertices.h"
 
 namespace hooke {
 namespace {
 
-constexpr double min_size = 1e-6;          // [m], of a mesh
-constexpr double weld_ratio = 1e-6;        // of the mesh's size
-constexpr double min_height_ratio = 1e-8;  // of a face, relative to its longest side: flatter faces have no area
+constexpr double min_size = 1e-6;            // [m], of a mesh
+constexpr double weld_ratio = 1e-6;          // of the mesh's size
+constexpr double max_plausible_size = 50.0;  // [m], along an axis: larger meshes are often in millimeters
+constexpr double min_height_ratio = 1e-8;    // of a face, relative to its longest side: flatter faces have no area
 
 class MeshCleaner {
  public:
   MeshCleaner(const Mesh& mesh, const std::string& file, std::vector<std::string>& notes) : mesh_(mesh), file_(file), notes_(notes) {}
 
-  CleanMesh clean() {
-    compute_bounds();
+  CleanMesh clean(double seam_distance) {
+    find_used_vertices();
     weld_vertices();
     add_polygons();
+    if (seam_distance > 0.0) {
+      weld_seams(seam_distance);
+      add_polygons();
+    }
     remove_duplicate_cells();
+    add_lines();
     renumber_points();
     report_changes();
     return std::move(clean_mesh_);
   }
 
  private:
-  void compute_bounds();
+  void find_used_vertices();
   void weld_vertices();
+  void weld_seams(double distance);
+  void weld_within(const std::vector<Index>& vertices, double distance);
   void add_polygons();
   void add_cell(std::span<const Index> corners);
   void choose_quad_diagonal(Cell& cell) const;
   double longest_side_of(const Cell& cell) const;
   void remove_duplicate_cells();
+  void add_lines();
   void renumber_points();
   void report_changes();
 
   const Vec3& position(Index vertex) const { return mesh_.vertices[static_cast<std::size_t>(vertex)]; }
+  Index& welded(Index vertex) { return welded_to_[static_cast<std::size_t>(vertex)]; }
   Vec3 normal_of(Index a, Index b, Index c) const { return 0.5 * glm::cross(position(b) - position(a), position(c) - position(a)); }
   [[noreturn]] void refuse(const std::string& what) const { throw InputError(file_ + ": " + what); }
+
+  // Numbers of what was changed.
+  struct Changes {
+    std::size_t degenerate = 0, duplicates = 0, triangulated = 0, crossing = 0, lines = 0;
+  };
 
   const Mesh& mesh_;
   const std::string& file_;
   std::vector<std::string>& notes_;
-  CleanMesh clean_mesh_;          // until renumber_points, its cells refer to vertices
+  CleanMesh clean_mesh_;          // until renumber_points, its cells and lines refer to vertices
+  std::vector<Index> used_;       // vertices of faces, lines and points, in order
   std::vector<Index> welded_to_;  // by vertex
-  std::size_t welded_ = 0, degenerate_ = 0, duplicates_ = 0, triangulated_ = 0;
+  Changes changes_;
 };
 
-void MeshCleaner::compute_bounds() {
-  if (mesh_.polygon_count() == 0) refuse("faces: none: there must be at least one");
-  clean_mesh_.min = clean_mesh_.max = mesh_.vertices[0];
-  for (const Vec3& x : mesh_.vertices) {
-    clean_mesh_.min = glm::min(clean_mesh_.min, x);
-    clean_mesh_.max = glm::max(clean_mesh_.max, x);
-  }
-  if (clean_mesh_.size() < min_size)
-    refuse("size: " + format_rounded(clean_mesh_.size()) + " m: must be at least " + format_rounded(min_size));
+// Smallest and largest coordinates of the listed positions.
+std::pair<Vec3, Vec3> bounds_of(const std::vector<Vec3>& positions) {
+  std::pair bounds(positions[0], positions[0]);
+  for (const Vec3& x : positions) bounds = {glm::min(bounds.first, x), glm::max(bounds.second, x)};
+  return bounds;
+}
+
+// Another vertex affects neither the size nor the distance of welding.
+void MeshCleaner::find_used_vertices() {
+  std::vector<bool> is_used(mesh_.vertices.size(), false);
+  for (const Index corner : mesh_.corners) is_used[static_cast<std::size_t>(corner)] = true;
+  for (const auto& line : mesh_.lines)
+    for (const Index end : line) is_used[static_cast<std::size_t>(end)] = true;
+  for (const Index point : mesh_.lone_points) is_used[static_cast<std::size_t>(point)] = true;
+  for (Index i = 0; i < static_cast<Index>(is_used.size()); ++i)
+    if (is_used[static_cast<std::size_t>(i)]) used_.push_back(i);
+  if (used_.empty()) refuse("faces and lines: none: there must be at least one");
 }
 
 void MeshCleaner::weld_vertices() {
-  welded_to_ = weld(mesh_.vertices, weld_ratio * clean_mesh_.size());
-  for (Index i = 0; i < static_cast<Index>(welded_to_.size()); ++i) welded_ += welded_to_[static_cast<std::size_t>(i)] != i ? 1 : 0;
+  std::vector<Vec3> positions;
+  for (const Index i : used_) positions.push_back(position(i));
+  const auto [min, max] = bounds_of(positions);
+  const double size = glm::distance(min, max);
+  if (size < min_size) refuse("size: " + format_rounded(size) + " m: must be at least " + format_rounded(min_size));
+  welded_to_.resize(mesh_.vertices.size());
+  for (std::size_t i = 0; i < welded_to_.size(); ++i) welded_to_[i] = static_cast<Index>(i);
+  weld_within(used_, weld_ratio * size);
+}
+
+void MeshCleaner::weld_within(const std::vector<Index>& vertices, double distance) {
+  std::vector<Vec3> positions;
+  for (const Index i : vertices) positions.push_back(position(i));
+  const std::vector<Index> welded_to = weld(positions, distance);
+  for (std::size_t k = 0; k < vertices.size(); ++k) welded(vertices[k]) = vertices[static_cast<std::size_t>(welded_to[k])];
+}
+
+void MeshCleaner::weld_seams(double distance) {
+  weld_within(vertices_of(open_edges_of(clean_mesh_.cells)), distance);
+  for (const Index i : used_) welded(i) = welded(welded(i));
+  clean_mesh_.cells.clear();
+  changes_ = {};
 }
 
 void MeshCleaner::add_polygons() {
   std::vector<Index> corners;
+  std::vector<Vec3> positions;
+  std::vector<std::array<Index, 3>> triangles;
   for (std::size_t i = 0; i < mesh_.polygon_count(); ++i) {
     // corners that have become equal by welding count once
     corners.clear();
-    for (const Index vertex : mesh_.polygon(i)) {
-      const Index corner = welded_to_[static_cast<std::size_t>(vertex)];
-      if (corners.empty() || corners.back() != corner) corners.push_back(corner);
-    }
+    for (const Index vertex : mesh_.polygon(i))
+      if (const Index corner = welded(vertex); corners.empty() || corners.back() != corner) corners.push_back(corner);
     while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-
     if (corners.size() <= 4) {
       add_cell(corners);
-    } else {
-      ++triangulated_;
-      for (std::size_t c = 1; c + 1 < corners.size(); ++c) add_cell(std::array{corners[0], corners[c], corners[c + 1]});
+      continue;
     }
+
+    positions.clear();
+    triangles.clear();
+    for (const Index corner : corners) positions.push_back(position(corner));
+    ++changes_.triangulated;
+    if (!triangulate(positions, triangles)) ++changes_.crossing;
+    for (const auto& [a, b, c] : triangles)
+      add_cell(
+          std::array{corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)], corners[static_cast<std::size_t>(c)]});
   }
 }
 
@@ -104,7 +156,7 @@ void MeshCleaner::add_cell(std::span<const Index> corners) {
     is_degenerate = !(cell.area > min_height_ratio * longest * longest);
   }
   if (is_degenerate)
-    ++degenerate_;
+    ++changes_.degenerate;
   else
     clean_mesh_.cells.push_back(cell);
 }
@@ -146,43 +198,80 @@ void MeshCleaner::remove_duplicate_cells() {
   std::size_t unique_count = 0;
   for (std::size_t i = 0; i < clean_mesh_.cells.size(); ++i)
     if (!is_duplicate[i]) clean_mesh_.cells[unique_count++] = clean_mesh_.cells[i];
-  duplicates_ = clean_mesh_.cells.size() - unique_count;
+  changes_.duplicates = clean_mesh_.cells.size() - unique_count;
   clean_mesh_.cells.resize(unique_count);
 }
 
-// Vertices that a face needs become points, in the order of the file.
+// Lines without length, and further lines between the same two vertices, are dropped.
+void MeshCleaner::add_lines() {
+  std::vector<std::pair<std::array<Index, 2>, std::size_t>> keys;
+  for (const auto& [first, second] : mesh_.lines) {
+    const Index a = welded(first), b = welded(second);
+    if (a != b) keys.push_back({{std::min(a, b), std::max(a, b)}, keys.size()});
+  }
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end(), [](const auto& k, const auto& l) { return k.first == l.first; }), keys.end());
+  std::sort(keys.begin(), keys.end(), [](const auto& k, const auto& l) { return k.second < l.second; });
+  for (const auto& key : keys) clean_mesh_.lines.push_back(key.first);
+  changes_.lines = mesh_.lines.size() - keys.size();
+}
+
+// Vertices that are needed become points, in the order of the file.
 void MeshCleaner::renumber_points() {
-  if (clean_mesh_.cells.empty()) refuse("faces: none has an area: there must be at least one");
+  if (clean_mesh_.cells.empty() && clean_mesh_.lines.empty() && mesh_.lone_points.empty())
+    refuse("faces: none has an area: there must be at least one");
   std::vector<Index> point_of(mesh_.vertices.size(), no_index);
-  for (const Cell& cell : clean_mesh_.cells)
-    for (int c = 0; c < cell.size(); ++c) point_of[static_cast<std::size_t>(cell.corners[c])] = 0;
+  const auto for_each_reference = [&](const auto& use) {
+    for (Cell& cell : clean_mesh_.cells)
+      for (int c = 0; c < cell.size(); ++c) use(cell.corners[c]);
+    for (auto& line : clean_mesh_.lines)
+      for (Index& end : line) use(end);
+  };
+  for_each_reference([&](Index vertex) { point_of[static_cast<std::size_t>(vertex)] = 0; });
+  for (const Index vertex : mesh_.lone_points) point_of[static_cast<std::size_t>(welded(vertex))] = 0;
   for (std::size_t vertex = 0; vertex < point_of.size(); ++vertex) {
     if (point_of[vertex] == no_index) continue;
     point_of[vertex] = static_cast<Index>(clean_mesh_.points.size());
     clean_mesh_.points.push_back(mesh_.vertices[vertex]);
   }
-  for (Cell& cell : clean_mesh_.cells)
-    for (int c = 0; c < cell.size(); ++c) cell.corners[c] = point_of[static_cast<std::size_t>(cell.corners[c])];
+  for_each_reference([&](Index& vertex) { vertex = point_of[static_cast<std::size_t>(vertex)]; });
+  std::tie(clean_mesh_.min, clean_mesh_.max) = bounds_of(clean_mesh_.points);
 }
 
 void MeshCleaner::report_changes() {
-  const auto report = [&](std::size_t count, const char* one, const char* many, const char* what) {
+  const auto report = [&](std::size_t count, const char* one, const char* many, const std::string& what) {
     if (count > 0) notes_.push_back(file_ + ": " + pluralize(count, one, many) + what);
   };
-  const std::size_t unused = mesh_.vertices.size() - welded_ - clean_mesh_.points.size();
-  report(welded_, "vertex is", "vertices are", " at the position of another: welded");
-  report(degenerate_, "face has", "faces have", " no area: ignored");
-  report(duplicates_, "face is a duplicate", "faces are duplicates", ": ignored");
-  report(triangulated_, "face has", "faces have", " more than four corners: split into triangles from the first corner");
-  report(unused, "vertex belongs", "vertices belong", " to no face: ignored");
+  std::size_t welded_vertices = 0;
+  for (const Index i : used_) welded_vertices += welded(i) != i ? 1 : 0;
+  const std::size_t unused = mesh_.vertices.size() - welded_vertices - clean_mesh_.points.size();
+  report(welded_vertices, "vertex is", "vertices are", " at the position of another: welded");
+  report(changes_.degenerate, "face has", "faces have", " no area: ignored");
+  report(changes_.duplicates, "face is a duplicate", "faces are duplicates", ": ignored");
+  report(changes_.lines, "line is a duplicate or has", "lines are duplicates or have", " no length: ignored");
+  report(changes_.triangulated, "face has", "faces have", " more than four corners: split into triangles");
+  report(changes_.crossing, "face crosses itself", "faces cross themselves", ": the area is not that of the outline");
+  report(unused, "vertex belongs", "vertices belong", " to no face or line: ignored");
+
+  const Seams seams = find_seams(clean_mesh_);
+  const std::string gap = format_rounded(1000.0 * seams.gap) + " mm";
+  report(seams.points, "point on an open edge is", "points on open edges are",
+         " within " + gap + " of others: not joined (--weld " + format_rounded(seams.gap) + ")");
+  report(seams.t_junctions, "point lies", "points lie", " on an open edge between its ends: not joined");
+  if (const Vec3 size = clean_mesh_.max - clean_mesh_.min; std::max({size.x, size.y, size.z}) > max_plausible_size)
+    notes_.push_back(file_ + ": size: " + format_size(size) + ": millimeters? (--scale 0.001)");
 }
 
 }  // namespace
 
 double CleanMesh::size() const { return glm::distance(min, max); }
 
-CleanMesh clean_mesh(const Mesh& mesh, const std::string& file, std::vector<std::string>& notes) {
-  return MeshCleaner(mesh, file, notes).clean();
+std::string format_size(const Vec3& size) {
+  return format_rounded(size.x) + " x " + format_rounded(size.y) + " x " + format_rounded(size.z) + " m";
+}
+
+CleanMesh clean_mesh(const Mesh& mesh, double seam_distance, const std::string& file, std::vector<std::string>& notes) {
+  return MeshCleaner(mesh, file, notes).clean(seam_distance);
 }
 
 }  // namespace hooke

@@ -1,4 +1,5 @@
-// A mesh prepared for conversion to cloth: one point per position, and each face a unique triangle or quad with an area.
+// A mesh prepared for conversion to cloth: one point per position, each face a unique triangle or quad with an area, each line unique and
+// with a length.
 #pragma once
 
 #include <array>
@@ -17,15 +18,20 @@ struct Cell {
 };
 
 struct CleanMesh {
-  std::vector<Vec3> points;  // [m], in the order of the mesh's vertices
-  std::vector<Cell> cells;   // of points, in the mesh's order
-  Vec3 min{0.0}, max{0.0};   // bounding box of all vertices
-  double size() const;       // [m], its diagonal
+  std::vector<Vec3> points;                 // [m], in the order of the mesh's vertices
+  std::vector<Cell> cells;                  // of points, in the mesh's order
+  std::vector<std::array<Index, 2>> lines;  // of points, in the mesh's order
+  Vec3 min{0.0}, max{0.0};                  // bounding box of the points
+  double size() const;                      // [m], its diagonal
 };
 
-// Welds coincident vertices (within a millionth of the size of the mesh); ignores faces without area, duplicate faces and vertices without
-// a face; splits polygons with more than four corners into fans of triangles. Appends what was changed to `notes`, one sentence each.
-// Throws InputError if no face is left. `file` is the name of the mesh in messages.
-CleanMesh clean_mesh(const Mesh& mesh, const std::string& file, std::vector<std::string>& notes);
+// Welds coincident vertices (within a millionth of the size of the mesh), and vertices of open edges that are closer than `seam_distance`
+// [m]; ignores faces without area, duplicate faces and lines, and vertices that no face, line or point uses; splits polygons with more than
+// four corners into triangles. Appends what was changed to `notes`, one sentence each, and what may be unintended: open edges that almost
+// coincide, and a size that suggests another unit. Throws InputError if nothing is left. `file` is the name of the mesh in messages.
+CleanMesh clean_mesh(const Mesh& mesh, double seam_distance, const std::string& file, std::vector<std::string>& notes);
+
+// "1 x 2 x 0.5 m"
+std::string format_size(const Vec3& size);
 
 }  // namespace hooke

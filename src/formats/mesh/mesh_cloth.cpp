@@ -15,11 +15,15 @@
 namespace hooke {
 namespace {
 
-// The contribution of one cell to the spring between two points.
+constexpr double relative_strip_width = 0.1;     // of a line, relative to the size of the mesh
+constexpr double radius_without_springs = 0.01;  // of the points, relative to the size of the mesh
+
+// The contribution of one cell or line to the spring between two points.
 struct SpringWeight {
+  enum class Of { Side, Diagonal, Line };
   Index first = 0, second = 0;  // points, first < second
   double weight = 0.0;          // [m^2]: k = E t sum(weight) / l^2
-  bool is_side = false;         // not a diagonal
+  Of of = Of::Side;
 };
 
 class ClothMaker {
@@ -37,6 +41,10 @@ class ClothMaker {
   }
 
  private:
+  double strip_width() const { return relative_strip_width * mesh_.size(); }
+  double length_of(const std::array<Index, 2>& line) const {
+    return glm::distance(mesh_.points[static_cast<std::size_t>(line[0])], mesh_.points[static_cast<std::size_t>(line[1])]);
+  }
   void make_points();
   std::vector<SpringWeight> spring_weights() const;
   void make_springs();
@@ -53,17 +61,19 @@ class ClothMaker {
 
 void ClothMaker::make_points() {
   std::vector<Point> points(mesh_.points.size());
-  for (Point& point : points) {
-    point.id = scene_.system.new_point_id();
-    point.mass = 0.0;
-  }
+  for (Point& point : points) point.id = scene_.system.new_point_id();
   std::vector<double> area(points.size(), 0.0);  // [m^2]
   for (const Cell& cell : mesh_.cells)
     for (int c = 0; c < cell.size(); ++c) {
       const auto corner = static_cast<std::size_t>(cell.corners[c]);
-      points[corner].mass += material_.density * cell.area / cell.size();
       area[corner] += cell.area / cell.size();
     }
+  for (const auto& line : mesh_.lines)
+    for (const Index end : line) area[static_cast<std::size_t>(end)] += 0.5 * strip_width() * length_of(line);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (area[i] == 0.0) area[i] = strip_width() * strip_width();
+    points[i].mass = material_.density * area[i];
+  }
   sheet_.area = area;
   scene_.state.position = mesh_.points;
   scene_.state.velocity.assign(points.size(), Vec3(0.0));
@@ -72,21 +82,21 @@ void ClothMaker::make_points() {
 
 std::vector<SpringWeight> ClothMaker::spring_weights() const {
   std::vector<SpringWeight> spring_weights;
-  const auto add = [&](Index a, Index b, double weight, bool is_side) {
-    spring_weights.push_back({std::min(a, b), std::max(a, b), weight, is_side});
-  };
+  using Of = SpringWeight::Of;
+  const auto add = [&](Index a, Index b, double weight, Of of) { spring_weights.push_back({std::min(a, b), std::max(a, b), weight, of}); };
   for (const Cell& cell : mesh_.cells) {
     const auto& [a, b, c, d] = cell.corners;
     const double side = cell.size() == 3 ? cell.area : 0.375 * cell.area;
-    for (int i = 0; i < cell.size(); ++i) add(cell.corners[i], cell.corners[(i + 1) % cell.size()], side, true);
+    for (int i = 0; i < cell.size(); ++i) add(cell.corners[i], cell.corners[(i + 1) % cell.size()], side, Of::Side);
     if (cell.size() == 4) {
-      add(a, c, 0.75 * cell.area, false);
-      add(b, d, 0.75 * cell.area, false);
+      add(a, c, 0.75 * cell.area, Of::Diagonal);
+      add(b, d, 0.75 * cell.area, Of::Diagonal);
     }
   }
+  for (const auto& line : mesh_.lines) add(line[0], line[1], strip_width() * length_of(line), Of::Line);
   // also sorted by weight, so that sums do not depend on the sorting algorithm
   std::sort(spring_weights.begin(), spring_weights.end(), [](const SpringWeight& s, const SpringWeight& t) {
-    return std::tie(s.first, s.second, s.weight, s.is_side) < std::tie(t.first, t.second, t.weight, t.is_side);
+    return std::tie(s.first, s.second, s.weight, s.of) < std::tie(t.first, t.second, t.weight, t.of);
   });
   return spring_weights;
 }
@@ -101,9 +111,11 @@ void ClothMaker::make_springs() {
   for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
     double weight = 0.0;
     int sides = 0;
+    bool is_diagonal = true;
     for (; end < all.size() && all[end].first == all[begin].first && all[end].second == all[begin].second; ++end) {
       weight += all[end].weight;
-      sides += all[end].is_side ? 1 : 0;
+      sides += all[end].of == SpringWeight::Of::Side ? 1 : 0;
+      is_diagonal = is_diagonal && all[end].of == SpringWeight::Of::Diagonal;
     }
     non_manifold += sides > 2 ? 1 : 0;
     if (springs.size() == max_springs) throw InputError(file_ + ": springs: more than " + std::to_string(max_springs) + ": too many");
@@ -113,7 +125,7 @@ void ClothMaker::make_springs() {
     springs.push_back({.id = system.new_spring_id(),
                        .first = system.points()[static_cast<std::size_t>(first)].id,
                        .second = system.points()[static_cast<std::size_t>(second)].id,
-                       .family = sides > 0 ? SpringFamily::Structural : SpringFamily::Shear,
+                       .family = is_diagonal ? SpringFamily::Shear : SpringFamily::Structural,
                        .stiffness = material_.stiffness * weight / (length * length),
                        .damping = material_.damping * weight / (length * length),
                        .rest_length = length});
@@ -122,8 +134,10 @@ void ClothMaker::make_springs() {
   }
 
   // the surface is what a mesh is about; its points would cover it
-  scene_.view.points = scene_.view.springs = false;
-  const double radius = 0.25 * sum_of_lengths / static_cast<double>(springs.size());
+  scene_.view.points = mesh_.cells.empty();
+  scene_.view.springs = !mesh_.lines.empty();
+  const double radius =
+      springs.empty() ? radius_without_springs * mesh_.size() : 0.25 * sum_of_lengths / static_cast<double>(springs.size());
   for (Index i = 0; i < system.point_count(); ++i) system.point(i).radius = radius;
   system.set_springs(std::move(springs));
   if (non_manifold > 0)

@@ -21,9 +21,10 @@ struct SheetMaterial {
 // of the whole decay within a few periods.
 SheetMaterial cloth_of_size(double size);
 
-// Points, springs and faces of the mesh in its given position, and a floor below it. An edge of more than two faces is one spring; their
-// number is appended to `notes`. Throws InputError if there are more springs than file_limits.h allows. `file` is the name of the mesh in
-// messages.
+// Points, springs and faces of the mesh in its given position, and a floor below it. A line is a spring: a strip of the same material, a
+// tenth of the size of the mesh wide. A point without a face and a line has the mass of a square of that width. An edge of more than two
+// faces is one spring; their number is appended to `notes`. Throws InputError if there are more springs than file_limits.h allows. `file`
+// is the name of the mesh in messages.
 //
 // Masses: a third of each adjacent triangle, a quarter of each adjacent quad. Stiffness of the springs, with area A and length l: E t
 // sum(A) / l^2 over the triangles along an edge (Van Gelder 1998), which is exact for equilateral triangles; in a quad 3/8 E t A / l^2 for

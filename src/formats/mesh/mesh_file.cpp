@@ -1,12 +1,15 @@
 #include "formats/mesh/mesh_file.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
 #include "base/bounds.h"
 #include "base/printable.h"
+#include "base/text_lines.h"
 #include "formats/file_kinds.h"
 #include "formats/mesh/clean_mesh.h"
 #include "formats/mesh/mesh_cloth.h"
@@ -17,17 +20,39 @@
 namespace hooke {
 namespace {
 
-// Springs that are not covered by faces: at least one end has no face.
-std::vector<std::array<Index, 2>> springs_without_face(const System& system) {
+// Springs that the faces do not stand for, and points without a face and a spring.
+struct LooseParts {
+  std::vector<std::array<Index, 2>> lines;
+  std::vector<Index> points;
+};
+
+LooseParts loose_parts_of(const System& system) {
   std::vector<bool> is_on_face(system.points().size(), false);
+  std::vector<std::array<Index, 2>> sides;
   for (const Face& face : system.faces)
-    for (const PointId id : face.points) is_on_face[static_cast<std::size_t>(system.index_of(id))] = true;
-  std::vector<std::array<Index, 2>> result;
+    for (int c = 0; c < 3; ++c) {
+      const Index i = system.index_of(face.points[c]), j = system.index_of(face.points[(c + 1) % 3]);
+      is_on_face[static_cast<std::size_t>(i)] = true;
+      sides.push_back({std::min(i, j), std::max(i, j)});
+    }
+  std::sort(sides.begin(), sides.end());
+
+  LooseParts loose;
+  std::vector<bool> is_used = is_on_face;
   for (const Spring& spring : system.springs()) {
-    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
-    if (!is_on_face[static_cast<std::size_t>(i)] || !is_on_face[static_cast<std::size_t>(j)]) result.push_back({i, j});
+    const auto first = static_cast<std::size_t>(system.index_of(spring.first)),
+               second = static_cast<std::size_t>(system.index_of(spring.second));
+    const std::array<Index, 2> line{static_cast<Index>(std::min(first, second)), static_cast<Index>(std::max(first, second))};
+    const bool is_free = !is_on_face[first] || !is_on_face[second];
+    if (!is_free && (spring.family != SpringFamily::Structural || std::binary_search(sides.begin(), sides.end(), line))) continue;
+    loose.lines.push_back(line);
+    is_used[first] = is_used[second] = true;
   }
-  return result;
+  std::sort(loose.lines.begin(), loose.lines.end());
+  loose.lines.erase(std::unique(loose.lines.begin(), loose.lines.end()), loose.lines.end());
+  for (std::size_t i = 0; i < is_used.size(); ++i)
+    if (!is_used[i]) loose.points.push_back(static_cast<Index>(i));
+  return loose;
 }
 
 template <class Number>
@@ -40,9 +65,17 @@ void append(std::string& bytes, Number number) {
 
 }  // namespace
 
-LoadedScene parse_obj(std::string_view text, const std::string& file) {
+LoadedScene parse_obj(std::string_view text, const std::string& file, const ImportOptions& options) {
   LoadedScene loaded;
-  CleanMesh mesh = clean_mesh(parse_obj_text(text, file, loaded.warnings), file, loaded.warnings);
+  Mesh vertices = parse_obj_text(text, file, loaded.warnings);
+  for (Vec3& x : vertices.vertices) {
+    x = options.scale * (options.is_z_up ? Vec3(x.x, x.z, 0.0 - x.y) : x);
+    for (int c = 0; c < 3; ++c)
+      if (!(std::abs(x[c]) <= largest_coordinate))
+        throw InputError(file + ": scale: " + format_rounded(x[c]) + ": must be from -1e9 to 1e9 (meters)");
+  }
+  CleanMesh mesh = clean_mesh(vertices, options.seam_distance, file, loaded.warnings);
+  loaded.summary = file + ": " + format_size(mesh.max - mesh.min) + ", " + pluralize(mesh.points.size(), "point", "points");
   loaded.scene = make_cloth(std::move(mesh), file, loaded.warnings);
   loaded.scene.name = std::filesystem::path(file).stem().string();
   if (const auto warning = choose_stable_stepping(loaded.scene, Settings().substeps)) loaded.warnings.push_back(file + ": " + *warning);
@@ -55,14 +88,16 @@ std::string format_obj(const Scene& scene) {
   for (const Vec3& x : scene.state.position) text += "v " + format_exact(x.x) + " " + format_exact(x.y) + " " + format_exact(x.z) + "\n";
   const auto number = [&](PointId id) { return " " + std::to_string(scene.system.index_of(id) + 1); };
   for (const Face& face : scene.system.faces) text += "f" + number(face.points[0]) + number(face.points[1]) + number(face.points[2]) + "\n";
-  for (const auto& [i, j] : springs_without_face(scene.system)) text += "l " + std::to_string(i + 1) + " " + std::to_string(j + 1) + "\n";
+  const LooseParts loose = loose_parts_of(scene.system);
+  for (const auto& [i, j] : loose.lines) text += "l " + std::to_string(i + 1) + " " + std::to_string(j + 1) + "\n";
+  for (const Index i : loose.points) text += "p " + std::to_string(i + 1) + "\n";
   return text;
 }
 
 // The Stanford format, binary: a text header, then the values in little-endian order.
 std::string format_ply(const Scene& scene) {
   const System& system = scene.system;
-  const auto lines = springs_without_face(system);
+  const auto lines = loose_parts_of(system).lines;
   std::string bytes =
       "ply\nformat binary_little_endian 1.0\ncomment written by Hooke; meters; strain: mean l / l0 - 1 of the springs at the vertex\n"
       "element vertex " +

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace hooke {
@@ -15,8 +15,6 @@ namespace {
 class SpatialHash {
  public:
   SpatialHash(std::span<const Vec3> positions, double distance) : cell_size_(4.0 * distance) {
-    min_ = positions.empty() ? Vec3(0.0) : positions[0];
-    for (const Vec3& x : positions) min_ = glm::min(min_, x);
     keys_.reserve(positions.size());
     for (const Vec3& x : positions) keys_.push_back(key_at(x));
     std::sort(keys_.begin(), keys_.end());
@@ -51,18 +49,21 @@ class SpatialHash {
   }
 
  private:
-  // 21 bits per coordinate
+  // A hash of the cube: two cubes with the same key are searched as one. The factors are those of Teschner and others, "Optimized spatial
+  // hashing", 2003, the mixing is that of SplitMix64.
   std::uint64_t key_at(const Vec3& x) const {
+    constexpr std::array<std::uint64_t, 3> factors{73856093, 19349663, 83492791};
     std::uint64_t key = 0;
     for (int c = 0; c < 3; ++c) {
-      const double cell = cell_size_ > 0.0 ? std::floor((x[c] - min_[c]) / cell_size_) + 1.0 : 0.0;
-      key = key << 21 | static_cast<std::uint64_t>(std::clamp(cell, 0.0, 2097151.0));
+      const double cell = cell_size_ > 0.0 ? std::floor(x[c] / cell_size_) : x[c];
+      key ^= factors[static_cast<std::size_t>(c)] * std::bit_cast<std::uint64_t>(cell + 0.0);
+      key = (key ^ key >> 30) * 0xbf58476d1ce4e5b9;
+      key ^= key >> 27;
     }
     return key;
   }
 
   double cell_size_;
-  Vec3 min_;
   std::vector<std::uint64_t> keys_;      // of the non-empty cubes, sorted
   std::vector<Index> last_in_cell_;      // added to each cube
   std::vector<Index> previous_in_cell_;  // the previous one in the same cube

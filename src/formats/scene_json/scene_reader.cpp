@@ -205,7 +205,7 @@ LoadedScene parse_scene(std::string_view text, const std::string& name) { return
 LoadedScene load_scene(const std::filesystem::path& file, const Progress& progress) { return load_scene_from_copy(file, file, progress); }
 
 LoadedScene load_scene_from_copy(const std::filesystem::path& copy, const std::filesystem::path& original, const Progress& progress) {
-  const std::string text = read_file(copy), name = printable(copy.native());
+  const std::string text = read_text_file(copy), name = printable(copy.native());
   LoadedScene loaded = SceneReader(text, name, progress).read();
   add_picture(loaded, original.parent_path(), name);
   return loaded;

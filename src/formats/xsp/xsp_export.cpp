@@ -6,6 +6,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/file_limits.h"
+#include "base/json_field.h"
+#include "base/json_text.h"
 #include "base/text_lines.h"
 #include "formats/file_kinds.h"
 #include "formats/xsp/xsp_file.h"
@@ -30,7 +33,7 @@ double pixels(double meters) {
 // Solid planes with the orientation of a side of the window.
 struct Wall {
   XspSide side;
-  double place = 0.0;  // [m], x or y at which the center of a point turns back
+  double place = 0.0;  // [m], x or y of the side
   const Collider* collider = nullptr;
 };
 
@@ -70,17 +73,29 @@ class Exporter {
       if (collider.path.moves()) ++moving;
       const Plane* plane = std::get_if<Plane>(&collider.shape);
       const auto side = plane ? side_of(plane->normal) : std::nullopt;
-      const double radius = system_.points().empty() ? 0.0 : system_.points()[0].radius;
       const bool is_known = side && std::any_of(walls_.begin(), walls_.end(), [&](const Wall& wall) { return wall.side == *side; });
       if (!side || is_known)
         ++unsupported;
       else
-        walls_.push_back({*side, glm::dot(plane->point + radius * plane->normal, glm::abs(plane->normal)), &collider});
+        walls_.push_back({*side, glm::dot(plane->point + extra_radius() * plane->normal, glm::abs(plane->normal)), &collider});
     }
     if (unsupported > 0) report_loss(pluralize(unsupported, "collider", "colliders"));
+    const auto has_other_radius = [&](const Point& point) {
+      return !point.nailed && std::abs(point.radius - xsp_radius(point.mass, false) - extra_radius()) > 1e-9;
+    };
+    const auto radii = static_cast<std::size_t>(std::count_if(system_.points().begin(), system_.points().end(), has_other_radius));
+    if (radii > 0 && !walls_.empty()) report_loss("the radius of " + pluralize(radii, "point", "points") + ": it follows from the mass");
     if (moving > 0) report_loss("the motion of " + pluralize(moving, "collider", "colliders"));
     if (system_.contact.points) report_loss("contact between points");
     if (system_.contact.faces || system_.contact.springs) report_loss("contact of faces and springs");
+  }
+
+  // Of the first free point [m], compared with that of its mass in XSpringies: walls are moved by it, so that points turn back at the same
+  // place.
+  double extra_radius() const {
+    for (const Point& point : system_.points())
+      if (!point.nailed) return point.radius - xsp_radius(point.mass, false);
+    return 0.0;
   }
 
   const Wall* wall_at(XspSide side) const {
@@ -227,6 +242,13 @@ class Exporter {
   }
 
   void export_editor_settings() {
+    if (const std::string& unknown = scene_.preserved_json.unknown; !unknown.empty()) {
+      JsonParser parser;
+      const std::string text = "{" + unknown + "}";
+      for (const JsonField member : JsonField(file_, "", parser.parse(text)).members())
+        if (member.is("xsp"))
+          for (const JsonField line : member.items(0, max_springs)) document_.unknown.emplace_back(line.text());
+    }
     document_.new_mass = new_point_like(scene_.defaults, scene_.system).mass;
     document_.new_stiffness = scene_.defaults.stiffness;
     document_.new_damping = scene_.defaults.damping;
@@ -264,13 +286,14 @@ std::string format_xsp(const Scene& scene, const std::string& file, std::vector<
   return Exporter(scene, file, losses).text();
 }
 
-constinit const FileKind xsp_file{.extension = ".xsp",
-                                  .title = "XSpringies scene",
-                                  .parse = parse_xsp,
-                                  .format = format_xsp,
-                                  .source = ExportSource::Scene,
-                                  .label = "XSpringies",
-                                  .description = "A flat scene for XSpringies, in its current state.",
-                                  .is_flat_only = true};
+constinit const FileKind xsp_file{
+    .extension = ".xsp",
+    .title = "XSpringies scene",
+    .parse = [](std::string_view text, const std::string& file, const ImportOptions&) { return parse_xsp(text, file); },
+    .format = format_xsp,
+    .source = ExportSource::Scene,
+    .label = "XSpringies",
+    .description = "A flat scene for XSpringies, in its current state.",
+    .is_flat_only = true};
 
 }  // namespace hooke

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
+#include "base/json_writer.h"
 #include "base/text_lines.h"
 #include "formats/stable_stepping.h"
 #include "formats/xsp/xsp_text.h"
@@ -12,19 +13,22 @@
 namespace hooke {
 namespace {
 
-constexpr double point_radius = 0.03;  // [m], of every mass
-constexpr double xsp_core = 0.01;      // [m]: forces do not grow within one pixel of their source
+constexpr double pixel = 1.0 / xsp_pixels_per_meter;  // [m]: the repulsion of a wall does not grow within one pixel
 enum ForceId { Gravity = 0, MassCenter = 1, Center = 2, Wall = 3 };
+
+// XSpringies replaces a mass of 0.
+double mass_of(const XspMass& mass) { return mass.mass == 0.0 ? 1.0 : std::abs(mass.mass); }
 
 struct Rectangle {
   double left = 0.0, right = xsp_window_width, bottom = 0.0, top = xsp_window_height;  // [pixels]
 };
 
-// The window, enlarged if masses are outside it.
+// The window, enlarged if free masses are outside it.
 Rectangle window_around(const std::vector<XspMass>& masses) {
-  constexpr double margin = 1.0;
   Rectangle window;
   for (const XspMass& mass : masses) {
+    if (mass.mass < 0.0) continue;
+    const double margin = 1.0 + xsp_radius(mass_of(mass), false) * xsp_pixels_per_meter;
     if (mass.x < 0.0) window.left = std::min(window.left, mass.x - margin);
     if (mass.x > xsp_window_width) window.right = std::max(window.right, mass.x + margin);
     if (mass.y < 0.0) window.bottom = std::min(window.bottom, mass.y - margin);
@@ -33,22 +37,22 @@ Rectangle window_around(const std::vector<XspMass>& masses) {
   return window;
 }
 
-// The most common elasticity of the masses that can hit a wall, and the number of masses with a different one.
-struct Elasticity {
-  double value = 1.0;
+// The most common value among the free masses, and the number of free masses with another one.
+struct MostCommon {
+  double value;
   std::size_t others = 0;
 };
-Elasticity common_elasticity(const XspDocument& document) {
+MostCommon most_common(const std::vector<XspMass>& masses, double value_without_masses, double (*value_of)(const XspMass& mass)) {
   std::map<double, std::size_t> counts;
   std::size_t free = 0;
-  for (const XspMass& mass : document.masses)
-    if (mass.mass > 0.0) {
-      ++counts[mass.elasticity];
+  for (const XspMass& mass : masses)
+    if (mass.mass >= 0.0) {
+      ++counts[value_of(mass)];
       ++free;
     }
-  if (counts.empty()) return {document.new_elasticity, 0};
-  const auto most_common = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  return {most_common->first, free - most_common->second};
+  if (counts.empty()) return {value_without_masses};
+  const auto found = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return {found->first, free - found->second};
 }
 
 class Importer {
@@ -66,7 +70,8 @@ class Importer {
     import_walls();
     import_editor_settings();
     import_stepping();
-    for (const std::string& place : document_.repeated) warn(place + ": already set before; the last value is used");
+    for (const std::string& warning : document_.warnings) warn(warning);
+    keep_unknown_lines();
     return std::move(loaded_);
   }
 
@@ -76,14 +81,18 @@ class Importer {
   void import_masses() {
     System& system = loaded_.scene.system;
     std::vector<Point> points;
+    std::size_t zero = 0;
     for (const XspMass& mass : document_.masses) {
+      zero += mass.mass == 0.0 ? 1 : 0;
+      const bool is_fixed = mass.mass < 0.0;
       const PointId id = system.new_point_id();
       point_of_.emplace_back(mass.id, id);
-      points.push_back({.id = id, .nailed = mass.mass < 0.0, .mass = std::abs(mass.mass), .radius = point_radius});
+      points.push_back({.id = id, .nailed = is_fixed, .mass = mass_of(mass), .radius = xsp_radius(mass_of(mass), is_fixed)});
       loaded_.scene.state.position.push_back(Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_meter);
       loaded_.scene.state.velocity.push_back(Vec3(mass.vx, mass.vy, 0.0) / xsp_pixels_per_meter);
     }
     system.set_points(std::move(points));
+    if (zero > 0) warn(pluralize(zero, "mass", "masses") + " of 0: 1, as in XSpringies");
     std::sort(point_of_.begin(), point_of_.end());
   }
 
@@ -125,16 +134,24 @@ class Importer {
         add_force(mass_center_force, {center_.x, center_.y, 0.0, force.p1, force.p2});
         uses_center = true;
       } else if (id == ForceId::Center) {
-        add_force(center_force, {center_.x, center_.y, 0.0, scaled(force), force.p2, xsp_core});
+        add_center_force(force);
         uses_center = true;
       } else if (id == ForceId::Wall) {
-        add_force(wall_force, {scaled(force), force.p2, xsp_core});
+        add_force(wall_force, {scaled(force), force.p2, pixel});
       } else {
         warn("force " + std::to_string(id) + " is unknown and ignored");
       }
     }
     if (document_.stickiness != 0.0) add_force(sticky_force, {document_.stickiness / xsp_pixels_per_meter});
     if (uses_center) warn_of_center();
+  }
+
+  // In XSpringies the pull falls with the square of the distance where a mass is closer than its radius and one pixel.
+  void add_center_force(const XspForce& force) {
+    const MostCommon radius = most_common(document_.masses, 0.0, [](const XspMass& mass) { return xsp_radius(mass_of(mass), false); });
+    add_force(center_force, {center_.x, center_.y, 0.0, scaled(force), force.p2, radius.value + pixel});
+    warn("the pull to the center is approximate within " + format_rounded(radius.value + pixel) + " m of it" +
+         (radius.others == 0 ? "" : ", the radius of most masses and a pixel"));
   }
 
   // converts p1 of an acceleration p1 / distance^p2 to meters
@@ -156,7 +173,7 @@ class Importer {
     for (const XspMass& mass : document_.masses)
       if (mass.id == document_.center) {
         center_ = Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_meter;
-        center_moves_ = mass.mass > 0.0;
+        center_moves_ = mass.mass >= 0.0;
         center_is_mass_ = true;
       }
   }
@@ -174,15 +191,15 @@ class Importer {
   double frequency_bound_of_forces() const {
     constexpr double max_distance = 10.0;  // [m]
     double mass = 0.0, squares = 0.0;
-    for (const XspMass& one : document_.masses) mass += std::abs(one.mass);
-    const auto slope = [&](double strength, double power) {
-      const double at_core = std::pow(xsp_core, -1.0 - power), at_far = std::pow(max_distance, -1.0 - power);
+    for (const XspMass& one : document_.masses) mass += one.mass >= 0.0 ? mass_of(one) : 0.0;
+    const auto slope = [&](double strength, double power, double core) {
+      const double at_core = std::pow(core, -1.0 - power), at_far = std::pow(max_distance, -1.0 - power);
       return std::abs(strength) * std::max(1.0, std::abs(power)) * std::max(at_core, at_far);
     };
     for (const Force& force : loaded_.scene.system.forces) {
       const ForceValues& values = force.values;
-      if (force.term == &center_force) squares += slope(values[3], values[4]);
-      if (force.term == &wall_force) squares += 4.0 * slope(values[0], values[1]);
+      if (force.term == &center_force) squares += slope(values[3], values[4], values[5]);
+      if (force.term == &wall_force) squares += 4.0 * slope(values[0], values[1], values[2]);
       if (force.term == &mass_center_force && mass > 0.0) squares += values[3] / mass + values[4] / mass * (values[4] / mass);
     }
     return std::sqrt(squares);
@@ -192,13 +209,13 @@ class Importer {
     const auto& walls = document_.walls;
     if (std::none_of(walls.begin(), walls.end(), [](bool is_on) { return is_on; })) return;
     const Rectangle window = window_around(document_.masses);
-    const Elasticity elasticity = common_elasticity(document_);
+    const MostCommon elasticity =
+        most_common(document_.masses, document_.new_elasticity, [](const XspMass& mass) { return mass.elasticity; });
     const double restitution = std::clamp(elasticity.value, 0.0, 1.0);
 
-    // a mass turns back when its center is at the edge of the window: the wall is one radius further out
     const auto add = [&](XspSide side, double x, double y, const Vec3& normal) {
       if (!walls[static_cast<std::size_t>(side)]) return;
-      const Plane plane{Vec3(x, y, 0.0) / xsp_pixels_per_meter - point_radius * normal, normal};
+      const Plane plane{Vec3(x, y, 0.0) / xsp_pixels_per_meter, normal};
       loaded_.scene.system.colliders.push_back({.shape = plane, .restitution = restitution});
     };
     add(XspSide::Top, 0.0, window.top, Vec3(0.0, -1.0, 0.0));
@@ -217,7 +234,7 @@ class Importer {
   // The defaults of new masses and springs.
   void import_editor_settings() {
     Defaults& defaults = loaded_.scene.defaults;
-    defaults.radius = point_radius;
+    defaults.radius = xsp_radius(document_.new_mass == 0.0 ? 1.0 : std::abs(document_.new_mass), false);
     const auto import_default = [&](double& target, double file_value, bool allowed, const std::string& name) {
       if (allowed)
         target = file_value;
@@ -230,6 +247,12 @@ class Importer {
     if (document_.new_masses_fixed) warn("new masses are not fixed automatically (fixm)");
     if (!document_.springs_shown) warn("the springs are shown, although the file hides them (shws)");
     if (document_.snap_to_grid) warn("points do not snap to the grid (gsnp)");
+  }
+
+  void keep_unknown_lines() {
+    std::string list;
+    for (const std::string& line : document_.unknown) list += (list.empty() ? "" : ", ") + to_json(line);
+    if (!list.empty()) loaded_.scene.preserved_json.unknown = "\"xsp\": [" + list + "]";
   }
 
   void import_stepping() {
@@ -253,6 +276,9 @@ class Importer {
 };
 
 }  // namespace
+
+// The integer part of 2 ln(4 m + 1) pixels; nails have 4.
+double xsp_radius(double mass, bool is_fixed) { return (is_fixed ? 4.0 : std::floor(2.0 * std::log(4.0 * mass + 1.0))) * pixel; }
 
 LoadedScene parse_xsp(std::string_view text, const std::string& file) {
   const XspDocument document = parse_xsp_text(text, file);

@@ -11,8 +11,12 @@
 namespace hooke {
 
 inline constexpr double xsp_pixels_per_meter = 100.0;
-// [pixels], the assumed size of the window, whose sides are the walls and whose middle is the center of forces; files do not contain it.
-inline constexpr double xsp_window_width = 640.0, xsp_window_height = 480.0;
+// [pixels], the size of the window at the start of XSpringies, whose sides are the walls and whose middle is the center of forces; files do
+// not contain it.
+inline constexpr double xsp_window_width = 642.0, xsp_window_height = 550.0;
+
+// [m], of a mass [kg] in XSpringies: walls act on the surface, and so does the pull of the center.
+double xsp_radius(double mass, bool is_fixed);
 
 // The scene of a file, with a stable method and number of substeps. Warns about what Hooke cannot represent. Throws InputError with the
 // line of the error. `file` is its name in messages and gives the name of the scene.

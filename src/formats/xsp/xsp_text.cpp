@@ -1,6 +1,7 @@
 #include "formats/xsp/xsp_text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -20,7 +21,7 @@ constexpr std::size_t max_quoted_bytes = 40;  // bytes of an invalid value in a 
 constexpr std::size_t max_forces = 1000;
 
 // The range of an argument of a command.
-enum class Range { Any, Integer, Id, NotZero, NotNegative, Positive };
+enum class Range { Any, Integer, Id, NotNegative, Positive };
 
 std::string_view text_of(Range range) {
   switch (range) {
@@ -30,8 +31,6 @@ std::string_view text_of(Range range) {
       return "must be a whole number";
     case Range::Id:
       return "must be a whole number from 1 to 2147483647";
-    case Range::NotZero:
-      return "must not be 0";
     case Range::NotNegative:
       return "must be at least 0";
     case Range::Positive:
@@ -48,8 +47,6 @@ bool is_in_range(Range range, double value) {
       return value == std::trunc(value) && std::abs(value) <= std::numeric_limits<int>::max();
     case Range::Id:
       return is_in_range(Range::Integer, value) && value >= 1.0;
-    case Range::NotZero:
-      return value != 0.0;
     case Range::NotNegative:
       return value >= 0.0;
     case Range::Positive:
@@ -115,7 +112,7 @@ const std::vector<Statement>& statements() {
          d.walls = {v.flag(0), v.flag(1), v.flag(2), v.flag(3)};
        }},
       {"mass",
-       {{"id", Range::Id}, {"x"}, {"y"}, {"vx"}, {"vy"}, {"mass", Range::NotZero}, {"elasticity"}},
+       {{"id", Range::Id}, {"x"}, {"y"}, {"vx"}, {"vy"}, {"mass"}, {"elasticity"}},
        false,
        [](D& d, const V& v) {
          d.masses.push_back({v.line, v.integer(0), v[1], v[2], v[3], v[4], v[5], v[6]});
@@ -149,15 +146,23 @@ class Reader {
       read_line(line);
     }
     check_ids();
+    warn_of_first(unknown_, "more line is", "more lines are", " not a command, kept");
+    warn_of_first(unconnected_, "more spring lacks", "more springs lack", " a mass: ignored");
     return std::move(document_);
   }
 
  private:
   void read_line(std::string_view line) {
+    const std::string_view whole_line = line;
     const std::string_view name = next_token(line);
     if (name.empty() || name[0] == '#') return;
     const auto statement = std::find_if(statements().begin(), statements().end(), [&](const Statement& row) { return row.name == name; });
-    if (statement == statements().end()) refuse(line_, printable(name, max_quoted_bytes), "is not a command of an .xsp file");
+    if (statement == statements().end()) {
+      unknown_.push_back("line " + std::to_string(line_) + ": " + printable(name, max_quoted_bytes) + ": is not a command, kept");
+      document_.unknown.push_back(printable(whole_line));
+      return;
+    }
+    refuse_dialect(name, line);
 
     std::array<double, 8> numbers;
     std::size_t count = 0;
@@ -170,6 +175,18 @@ class Reader {
     if (document_.forces.size() > max_forces) refuse(line_, "frce", "must be at most " + std::to_string(max_forces));
     if (document_.masses.size() > max_points) refuse(line_, "mass", "must be at most " + std::to_string(max_points));
     if (document_.springs.size() > max_springs) refuse(line_, "spng", "must be at most " + std::to_string(max_springs));
+  }
+
+  // GoSpringies names its forces, and its masses have no velocity.
+  void refuse_dialect(std::string_view name, std::string_view line) const {
+    std::size_t words = 0;
+    const std::string_view first = next_token(line);
+    for (std::string_view word = first; !word.empty(); word = next_token(line)) ++words;
+    const bool is_named_force =
+        name == "frce" && !first.empty() && !parse_number(first) && std::isalpha(static_cast<unsigned char>(first[0]));
+    if (is_named_force || (name == "mass" && words == 5))
+      refuse(line_, std::string(name) + (is_named_force ? " " + printable(first, max_quoted_bytes) : ""),
+             "is the dialect of GoSpringies: must be a file of XSpringies");
   }
 
   double read_number(std::string_view word, const Statement& statement, const Argument& argument) const {
@@ -185,21 +202,32 @@ class Reader {
     const bool is_force = statement.name == "frce";
     if (!statement.is_setting && !is_force) return;
     const bool repeated = is_force ? document_.forces.contains(static_cast<int>(id)) : !seen_.insert(statement.name).second;
-    if (repeated && document_.repeated.size() < max_repetitions)
-      document_.repeated.push_back("line " + std::to_string(line_) + ": " + std::string(statement.name));
+    if (repeated && document_.warnings.size() < max_repetitions)
+      document_.warnings.push_back("line " + std::to_string(line_) + ": " + std::string(statement.name) +
+                                   ": already set before; the last value is used");
   }
 
-  void check_ids() const {
+  // Removes springs to masses that are not in the file.
+  void check_ids() {
     const std::vector<int> masses = check_unique(document_.masses, "mass");
     check_unique(document_.springs, "spng");
-    for (const XspSpring& spring : document_.springs) {
-      const auto refuse_mass = [&](int mass, std::string_view limit) {
-        refuse(spring.line, "spng: " + std::to_string(spring.id) + ": mass " + std::to_string(mass), limit);
-      };
+    std::erase_if(document_.springs, [&](const XspSpring& spring) {
+      const std::string name = "spng: " + std::to_string(spring.id) + ": mass ";
       for (const int id : {spring.first, spring.second})
-        if (!std::binary_search(masses.begin(), masses.end(), id)) refuse_mass(id, "is not in the file");
-      if (spring.first == spring.second) refuse_mass(spring.first, "must not be connected to itself");
-    }
+        if (!std::binary_search(masses.begin(), masses.end(), id)) {
+          unconnected_.push_back("line " + std::to_string(spring.line) + ": " + name + std::to_string(id) +
+                                 ": is not in the file: ignored");
+          return true;
+        }
+      if (spring.first == spring.second) refuse(spring.line, name + std::to_string(spring.first), "must not be connected to itself");
+      return false;
+    });
+  }
+
+  // One warning for all of a kind.
+  void warn_of_first(const std::vector<std::string>& all, const std::string& one, const std::string& many, const std::string& what) {
+    if (!all.empty()) document_.warnings.push_back(all[0]);
+    if (all.size() > 1) document_.warnings.push_back(pluralize(all.size() - 1, one, many) + what);
   }
 
   // The sorted ids. Refuses the first line, in the order of the file, that repeats an id.
@@ -226,6 +254,7 @@ class Reader {
   const std::string& file_;
   XspDocument document_;
   std::set<std::string_view> seen_;
+  std::vector<std::string> unknown_, unconnected_;  // sentences
   int line_ = 0;
 };
 
@@ -266,6 +295,7 @@ std::string format_xsp_text(const XspDocument& document) {
   add_line(text, "wall", d.walls[0], d.walls[1], d.walls[2], d.walls[3]);
   for (const XspMass& m : d.masses) add_line(text, "mass", m.id, m.x, m.y, m.vx, m.vy, m.mass, m.elasticity);
   for (const XspSpring& s : d.springs) add_line(text, "spng", s.id, s.first, s.second, s.stiffness, s.damping, s.rest_length);
+  for (const std::string& line : d.unknown) text += line + "\n";
   return text;
 }
 

@@ -14,7 +14,7 @@ struct XspMass {
   int line = 0;  // in the file
   int id = 0;    // > 0
   double x = 0.0, y = 0.0, vx = 0.0, vy = 0.0;
-  double mass = 1.0;  // not 0; negative: fixed
+  double mass = 1.0;  // negative: fixed; 0: 1
   double elasticity = 1.0;
 };
 
@@ -49,11 +49,12 @@ struct XspDocument {
   std::array<bool, 4> walls{};  // wall, by XspSide
   std::vector<XspMass> masses;
   std::vector<XspSpring> springs;
-  std::vector<std::string> repeated;  // "line 7: visc": settings made more than once; the last one is used
+  std::vector<std::string> unknown;   // lines with other commands
+  std::vector<std::string> warnings;  // "line 7: visc: already set before; the last value is used"
 };
 
 // Throws InputError ("FILE: line N: COMMAND: VALUE: LIMIT") for invalid files. `file` is its name in messages. Ids are unique, and springs
-// connect existing masses.
+// connect existing masses. Refuses the dialect of GoSpringies, which has the same first line.
 XspDocument parse_xsp_text(std::string_view text, const std::string& file);
 
 // A text that parse_xsp_text reads back as the same document.

@@ -25,7 +25,7 @@ constexpr double stale_after = 2.0;
 
 bool is_readable(const fs::path& file) {
   if (file.extension() == recording_extension) return true;
-  const FileKind* kind = find_file_kind(file);
+  const FileKind* kind = find_readable_kind(file);
   return kind != nullptr && kind->parse != nullptr;
 }
 
@@ -33,7 +33,7 @@ void refresh(Browser& browser, FileDialogMode mode, bool picks_mesh) {
   const double now = ImGui::GetTime();
   if (browser.listing.folder == browser.folder && now < browser.listed_at + stale_after) return;
   browser.listing = list_folder(browser.folder, [&](const fs::path& file) {
-    if (const FileKind* kind = find_file_kind(file); picks_mesh) return kind != nullptr && kind->is_mesh;
+    if (const FileKind* kind = find_readable_kind(file); picks_mesh) return kind != nullptr && kind->is_mesh;
     return mode == FileDialogMode::Open ? is_readable(file) : is_scene_file(file);
   });
   browser.listed_at = now;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/option_error.h"
 #include "base/printable.h"
+#include "formats/file_kind.h"
 #include "ui/file_browser.h"
 #include "ui/panels.h"
 #include "ui/text.h"
@@ -107,9 +109,33 @@ void desktop_button(const PanelInput& input, Panels& panels, Requests& requests,
   close(panels);
 }
 
+// A field for each option of a mesh.
+void import_fields(Dialog& dialog) {
+  const FileKind* kind = find_readable_kind(dialog.typed);
+  if (dialog.picks_mesh || kind == nullptr || !kind->is_mesh) return dialog.import_texts.clear();
+  dialog.import_texts.resize(import_options().size());
+  for (std::size_t i = 0; i < import_options().size(); ++i) {
+    const ImportOption& row = import_options()[i];
+    const std::string name(row.name), hint = name + " " + std::string(row.value);
+    if (i > 0) ImGui::SameLine();
+    ImGui::SetNextItemWidth(units(120.0));
+    ImGui::InputTextWithHint(("##import_" + name).c_str(), hint.c_str(), &dialog.import_texts[i]);
+    tooltip(std::string(row.description));
+  }
+}
+
+// Throws UsageError.
+ImportOptions typed_options(const Dialog& dialog) {
+  ImportOptions options;
+  for (std::size_t i = 0; i < dialog.import_texts.size(); ++i)
+    if (!dialog.import_texts[i].empty()) import_options()[i].set(options, dialog.import_texts[i]);
+  return options;
+}
+
 void open_box(const PanelInput& input, Panels& panels, Requests& requests) {
   bool chosen = build_browser(input, panels.dialog, FileDialogMode::Open);
   path_line(panels);
+  import_fields(panels.dialog);
   ImGui::Spacing();
   chosen = accepted(input, "Open") || chosen;
   if (canceled(input)) return close(panels);
@@ -120,7 +146,11 @@ void open_box(const PanelInput& input, Panels& panels, Requests& requests) {
     panels.placement.mesh_path = chosen_path.string();
     requests.emplace_back(LoadMesh{chosen_path});
   } else {
-    requests.emplace_back(OpenFile{chosen_path});
+    try {
+      requests.emplace_back(OpenFile{chosen_path, typed_options(panels.dialog)});
+    } catch (const OptionError& refusal) {
+      return panels.show_message("Cannot open the mesh", refusal.as_argument());
+    }
   }
   close(panels);
 }

@@ -1,4 +1,5 @@
-// a = -(p X + q V) / M, the same for every point: X the center of mass relative to a target, V its velocity, M the total mass.
+// a = -(p X + q V) / M, the same for every point: X the center of mass of the points that are not nailed relative to a target, V its
+// velocity, M their mass.
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan/plan.h"
@@ -12,16 +13,22 @@ constexpr ForceParameter numbers[] = {
     {"damping", "Damping", "N s/m", 0.0, 1000.0, 2.0},
 };
 
+// 0 for nailed points. A held point counts.
+double counted_mass(const Plan& plan, Index i) {
+  if (plan.held == i) return plan.held_mass;
+  return plan.inverse_mass[i] == 0.0 ? 0.0 : plan.mass[i];
+}
+
 double total_mass(const Plan& plan) {
   double mass = 0.0;
-  for (const double m : plan.mass) mass += m;
+  for (Index i = 0; i < plan.points; ++i) mass += counted_mass(plan, i);
   return mass;
 }
 
 // Mean of one component of a field, weighted by mass.
 double mean(const Plan& plan, const double* component, double mass) {
   double sum = 0.0;
-  for (Index i = 0; i < plan.points; ++i) sum += plan.mass[i] * component[i];
+  for (Index i = 0; i < plan.points; ++i) sum += counted_mass(plan, i) * component[i];
   return sum / mass;
 }
 
@@ -32,19 +39,16 @@ void add(const Plan& plan, const ForceValues& values, double, const double* x, c
     const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
     const double place = mean(plan, x + begin, mass), speed = mean(plan, v + begin, mass);
     const double acceleration = -(values[3] * (place - values[c]) + values[4] * speed) / mass;
-    for (Index i = 0; i < plan.points; ++i) f[begin + i] += plan.mass[i] * acceleration;
+    for (Index i = 0; i < plan.points; ++i) f[begin + i] += counted_mass(plan, i) * acceleration;
   }
 }
 
 // M^-1/2 (df/dx) M^-1/2 = -p / M^2 w w^T, w_i = sqrt(m_i) for the free points and 0 for others
 ForceBound bound(const System& system, const Plan&, const ForceValues& values, double) {
-  double mass = 0.0, free_mass = 0.0;
-  for (const Point& point : system.points()) {
-    mass += point.mass;
-    if (!point.nailed) free_mass += point.mass;
-  }
+  double mass = 0.0;
+  for (const Point& point : system.points()) mass += point.nailed ? 0.0 : point.mass;
   if (mass == 0.0) return {};
-  return {.stiffness = values[3] * free_mass / (mass * mass), .rate = values[4] * free_mass / (mass * mass)};
+  return {.stiffness = values[3] / mass, .rate = values[4] / mass};
 }
 
 void add_tangent(const Plan& plan, const ForceValues& values, double, const double*, const double*, ForceTangent& tangent) {
@@ -83,7 +87,7 @@ constinit const ForceTerm mass_center_force{
     .id = "mass_center",
     .rank = 5,
     .label = "Pull on center of mass",
-    .description = "Accelerates all points equally so that their center of mass moves to a target.",
+    .description = "Accelerates all points that are not nailed equally so that their center of mass moves to a target.",
     .numbers = numbers,
     .depends_on_velocity = true,
     .is_continuous = true,

@@ -1,0 +1,94 @@
+// What files of XSpringies say without the walls, as the original reads it (1.12). In these files lengths are in pixels; one pixel is a
+// centimeter.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "formats/xsp/xsp_file.h"
+#include "sim/step/step.h"
+
+namespace hooke {
+namespace {
+
+constexpr double pixel = 0.01;  // [m]
+
+LoadedScene load(const std::string& lines) { return parse_xsp("#1.0\n" + lines, "test.xsp"); }
+
+// Runs the scene with its own settings.
+void run(Scene& scene, double seconds) {
+  Plan plan = make_plan(scene.system);
+  Frame frame;
+  for (long i = std::lround(seconds * scene.settings.frame_rate); i > 0; --i) {
+    frame.begin(plan, scene.system, scene.settings, scene.state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, scene.state);
+  }
+}
+
+bool warns(const LoadedScene& loaded, const std::string& words) {
+  for (const std::string& warning : loaded.warnings)
+    if (warning.find(words) != std::string::npos) return true;
+  return false;
+}
+
+TEST(Xsp, LinesThatXSpringiesSkipsGiveWarningsAndAreKept) {
+  const std::string two = "mass 1 0 0 0 0 1 1\nmass 2 5 0 0 0 1 1\n";
+  const LoadedScene loaded = load(two + "blob  1 \"x\"\nspng 1 1 3 1 0 5\nspng 2 1 2 1 0 5\nspng 4 3 4 1 0 5\nwind 3\n");
+  EXPECT_EQ(loaded.warnings,
+            (std::vector<std::string>{"test.xsp: line 4: blob: is not a command, kept", "test.xsp: 1 more line is not a command, kept",
+                                      "test.xsp: line 5: spng: 1: mass 3: is not in the file: ignored",
+                                      "test.xsp: 1 more spring lacks a mass: ignored"}));
+  EXPECT_EQ(loaded.scene.system.spring_count(), 1);
+  std::vector<std::string> losses;
+  const std::string text = format_xsp(loaded.scene, "again.xsp", losses);
+  EXPECT_NE(text.find("\nblob  1 \"x\"\nwind 3\n"), std::string::npos) << text;
+  const Scene in_json = parse_scene(format_scene(loaded.scene), "scene.json").scene;
+  EXPECT_EQ(format_xsp(in_json, "again.xsp", losses), text);
+}
+
+TEST(Xsp, AMassOfZeroIsOne) {
+  const LoadedScene loaded = load("mass 1 0 0 0 0 0 1\n");
+  EXPECT_EQ(loaded.scene.system.points()[0].mass, 1.0);
+  EXPECT_TRUE(warns(loaded, "1 mass of 0: 1, as in XSpringies"));
+}
+
+TEST(Xsp, AMassHasTheRadiusOfXSpringies) {
+  // the integer part of 2 ln(4 m + 1) pixels
+  const System system = load("mass 1 0 0 0 0 1 1\nmass 2 0 0 0 0 40 1\nmass 3 0 0 0 0 0.1 1\nmass 4 0 0 0 0 -40 1\n").scene.system;
+  const double radii[] = {3.0, 10.0, 0.0, 4.0};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(system.points()[i].radius, radii[i] * pixel, 1e-15);
+}
+
+TEST(Xsp, AMassAtTheCenterRests) {
+  Scene scene = load("frce 2 1 100 0\nmass 1 321 275 0 0 1 1\n").scene;
+  run(scene, 2.0);
+  EXPECT_EQ(scene.state.position[0], pixel * Vec3(321, 275, 0));
+}
+
+// Where the pull is the same, farther from the center than the radius of the mass and a pixel.
+TEST(Xsp, AFallTowardsTheCenterFollowsTheClosedForm) {
+  // a = p1 / d: v^2 / 2 = p1 ln(d0 / d); the radius of a mass of 40 is 10 pixels
+  LoadedScene loaded = load("frce 2 1 1000 1\nmass 40 330 240 0 0 40 1\n");
+  EXPECT_TRUE(warns(loaded, "the pull to the center is approximate within 0.11 m of it"));
+  Scene& scene = loaded.scene;
+  EXPECT_NEAR(scene.system.forces[0].values[5], 11 * pixel, 1e-15);
+  run(scene, 0.75);
+  const double d0 = std::hypot(9.0, 35.0), d = glm::distance(scene.state.position[0], pixel * Vec3(321, 275, 0)) / pixel;
+  ASSERT_GT(d, 11.0);
+  ASSERT_LT(d, 0.9 * d0);
+  EXPECT_NEAR(0.5 * std::pow(glm::length(scene.state.velocity[0]) / pixel, 2) / (1000.0 * std::log(d0 / d)), 1.0, 1e-3);
+}
+
+// The values are those of the original's law, p1 / d from each wall less the radius of 10 pixels, by Runge-Kutta 4 with steps of 0.5 ms.
+TEST(Xsp, WallsRepelTheSurfaceOfAMass) {
+  Scene scene = load("frce 3 1 10000 1\nwall 1 1 1 1\nmass 1 100 240 -30 0 40 1\n").scene;
+  run(scene, 5.0);
+  EXPECT_NEAR(scene.state.position[0].x, 5.288818845, 1e-6);
+  EXPECT_NEAR(scene.state.position[0].y, 3.064161337, 1e-6);
+}
+
+TEST(Xsp, FixedMassesMoveNoWall) { EXPECT_TRUE(warns(load("wall 0 0 0 1\nmass 1 300 -9000 0 0 -1 1\n"), "y = 0 and 550 pixels")); }
+
+}  // namespace
+}  // namespace hooke
