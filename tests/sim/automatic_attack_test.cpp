@@ -24,7 +24,7 @@ TEST_P(AutomaticAttack, NoRotatingNetGainsEnergy) {
   int gained = 0;
   for (std::uint64_t seed = 0; seed < scenes(120); ++seed) {
     TestSim sim = rotating_net(seed);
-    initialize_ledger(sim.system, sim.state);
+    initialize_supply(sim.system, sim.state);
     Plan plan = make_plan(sim.system);
     Frame frame;
     ToleranceMonitor monitor;
@@ -40,7 +40,7 @@ TEST_P(AutomaticAttack, NoRotatingNetGainsEnergy) {
       is_lost = find_divergence(sim.system, sim.state, energy).has_value();
       if (i >= frames - 30) last += energy.total() / 30.0;
     }
-    const bool gains = is_lost || last - start > 0.2 * sim.state.ledger.scale;
+    const bool gains = is_lost || last - start > 0.2 * sim.state.supply.scale;
     if (gains && std::getenv("HOOKE_PRINT") != nullptr)
       std::printf("tolerance %g, net %d: %s, %s\n", GetParam(), static_cast<int>(seed), is_lost ? "diverged" : "gained energy",
                   monitor.warning().c_str());
@@ -57,7 +57,7 @@ TEST(AutomaticAttacks, AChoiceInAnySceneTakesLimitedTimeAndADivergedFrameMissesT
   int beyond = 0, diverged = 0;
   for (std::uint64_t seed = 0; seed < scenes(150); ++seed) {
     TestSim sim = random_force_scene(seed, ForceSceneKind::Any);
-    initialize_ledger(sim.system, sim.state);
+    initialize_supply(sim.system, sim.state);
     Plan plan = make_plan(sim.system);
     Frame frame;
     ToleranceMonitor monitor;

@@ -151,13 +151,13 @@ TEST(Islands, MayTouchTheSameMovingCollider) {
     ASSERT_EQ(both.position[i], first.position[i]) << i;
     ASSERT_EQ(both.position[chain_points + i], second.position[i]) << i;
   }
-  EXPECT_NE(first.ledger.net_input, 0.0);
-  EXPECT_NE(second.ledger.net_input, 0.0);
-  EXPECT_NEAR(both.ledger.net_input, first.ledger.net_input + second.ledger.net_input, 1e-12);
+  EXPECT_NE(first.supply.net_input, 0.0);
+  EXPECT_NE(second.supply.net_input, 0.0);
+  EXPECT_NEAR(both.supply.net_input, first.supply.net_input + second.supply.net_input, 1e-12);
   // works of opposite signs within a frame cancel in the first
-  const double scales = first.ledger.scale + second.ledger.scale;
-  EXPECT_LE(both.ledger.scale, scales);
-  EXPECT_GT(both.ledger.scale, 0.999 * scales);
+  const double scales = first.supply.scale + second.supply.scale;
+  EXPECT_LE(both.supply.scale, scales);
+  EXPECT_GT(both.supply.scale, 0.999 * scales);
 }
 
 // Many soft parts beside a stiff one: joined by springs without stiffness, all of them need the steps of the stiff one.

@@ -1,4 +1,4 @@
-// Planes that hold points until a force pulls them off: the release is an event, located within the substep.
+// Planes that hold points until a force pulls them off.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,8 +49,9 @@ struct PulledOff {
   }
 };
 
-// The mean over several numbers of steps, because the error of an event depends on its place within a step.
-TEST_P(StickyPlanes, MeetsItsOrderThroughARelease) {
+// It is released at the end of the substep in which the pull exceeds the strength: the mean over several numbers of steps, because the
+// error depends on its place within a step.
+TEST_P(StickyPlanes, LetGoWithinASubstep) {
   constexpr double seconds = 0.25;
   const auto mean_error = [&](int steps) {
     double sum = 0.0;
@@ -61,23 +62,23 @@ TEST_P(StickyPlanes, MeetsItsOrderThroughARelease) {
     }
     return sum / 8.0;
   };
-  // the path of what leaves a plane is a parabola in its first step (contact)
-  const int order = std::min(method().order, 3), steps = order == 1 ? 400 : 40;
-  EXPECT_NEAR(std::log2(mean_error(steps) / mean_error(2 * steps)), order, 0.35);
+  const double coarse = mean_error(200), fine = mean_error(800);
+  EXPECT_LT(fine, 0.4 * coarse);
+  EXPECT_LT(fine, 2e-3);
 }
 
-// Whether dashpots are split off or not: then the error is of first order, as on a collider.
+// Whether dashpots are split off or not. A release that is late by a step of 1 ms changes a velocity by 5 mm/s.
 TEST_P(StickyPlanes, DashpotsPullAsSpringsDo) {
   constexpr double seconds = 0.3;
   TestSim fine = PulledOff{}.sim(2.0);
   fine.run(runge_kutta4, seconds, 600);
   TestSim sim = PulledOff{}.sim(2.0);
   sim.run(method(), seconds, method().order == 1 ? 3000 : 300);
-  const double tolerance = method().order == 1 ? 2e-3 : splits_dashpots(method()) ? 1e-4 : 1e-5;
+  constexpr double tolerance = 2e-3;
   for (int i = 0; i < 2; ++i) EXPECT_NEAR(sim.state.position[i].y, fine.state.position[i].y, tolerance) << "point " << i;
 }
 
-// m A w^2 sin(w t) = strength
+// m A w^2 sin(w t) = strength; a release that is late by a step of 0.5 ms changes the velocity by 1 mm/s.
 TEST_P(StickyPlanes, APlaneThatOscillatesLetsGoWhenItsAccelerationDemandsMore) {
   constexpr double amplitude = 0.02, frequency = 2.0, strength = 2.0, seconds = 0.3;
   const double omega = 2.0 * std::numbers::pi * frequency;
@@ -86,10 +87,10 @@ TEST_P(StickyPlanes, APlaneThatOscillatesLetsGoWhenItsAccelerationDemandsMore) {
   sim.add({0.0, 0.0, 0.0}, 1.0, {0.0, amplitude * omega, 0.0});
   sim.system.colliders = {{.shape = Plane{}, .path = {.amplitude = {0.0, amplitude, 0.0}, .frequency = frequency}}};
   sim.system.forces = {{.term = &sticky_force, .values = {strength}}};
-  sim.run(method(), seconds, 60);
+  sim.run(method(), seconds, 600);
   const double release = std::asin(strength / (amplitude * omega * omega)) / omega;
   const double expected = amplitude * (std::sin(omega * release) + omega * (seconds - release) * std::cos(omega * release));
-  EXPECT_NEAR(sim.state.position[0].y, expected, 1e-6);
+  EXPECT_NEAR(sim.state.position[0].y, expected, 3e-4);
 }
 
 // dop853 takes the rest of a step in shorter ones.

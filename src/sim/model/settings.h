@@ -50,6 +50,8 @@ struct Settings {
   IslandStepsList islands{};  // of a frame of `auto` that is computed again; in no file. Empty: the scene is stepped as a whole
   // In a frame that is computed again to measure its error: substeps end where a spring is about to break. In no file.
   bool locates_breaks = false;
+  // Drag and dashpots are in the energy ledger of the frame, at the cost of about a force evaluation for each substep. In no file.
+  bool measures_damping = false;
   bool operator==(const Settings&) const = default;
 
   double substep() const { return 1.0 / (frame_rate * substeps); }

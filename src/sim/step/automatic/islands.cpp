@@ -71,15 +71,7 @@ void add_counts(const Motion& part, Motion& sum) {
   sum.limit_sweeps += part.limit_sweeps;
   sum.unconverged_solves += part.unconverged_solves;
   sum.crossings += part.crossings;
-  sum.collider_work += part.collider_work;
-  sum.break_work += part.break_work;
-  sum.limit_work += part.limit_work;
-  sum.limit_gain += part.limit_gain;
-  sum.contact_work += part.contact_work;
-  sum.hand_work += part.hand_work;
-  sum.abs_hand_work += part.abs_hand_work;
-  sum.force_work += part.force_work;
-  sum.reversible_work += part.reversible_work;
+  sum.energy += part.energy;
 }
 
 // The group of each point of the System, in ascending order of the substeps that its part requires. Empty where nothing would be saved: the
