@@ -6,8 +6,6 @@
 
 #include "sim/forces/terms/rows.h"
 #include "sim/methods/rows.h"
-#include "sim/step/automatic/leapfrog.h"
-#include "support/automatic_runs.h"
 #include "support/convergence.h"
 #include "support/test_sim.h"
 
@@ -106,20 +104,6 @@ TEST_P(StickyPlanes, ACeilingHoldsWhatIsThrownAtItAndNotWhatReboundsOrIsTooHeavy
       sim.run(method(), 0.4, steps);
       EXPECT_EQ(sim.state.position[0].y > -1e-9, is_held) << strength << " N, " << steps << " steps";
     }
-}
-
-// The last one is just below the largest pull.
-TEST(StickyPlanesWithAuto, MeetTheTolerance) {
-  constexpr int frames = 24;
-  const double seconds = frames / 60.0;
-  for (const double strength : {3.0, 5.0, 6.6}) {
-    const PulledOff pulled{strength};
-    TestSim sim = pulled.sim();
-    Plan plan = make_plan(sim.system);
-    Frame frame;
-    for (int i = 0; i < frames; ++i) sim.state = next_frame(plan, frame, sim.system, automatic(1e-3), sim.state);
-    EXPECT_LE(pulled.error(sim, seconds), std::sqrt(2.0) * 1e-3 * seconds) << strength << " N";
-  }
 }
 
 }  // namespace
