@@ -151,13 +151,14 @@ void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
   if (measures_dashpots_ && sweeps_->has_swept()) std::ranges::copy(motion.x, free_x_.begin());
 }
 
-// Where contact or the strain limit then moves points, the impulses of the sweeps act along the path that results.
+// At points that contact or the strain limit moved, the impulses of the sweeps act along the path that results, as all forces do for
+// contact.
 double PowerWork::work_of_sweeps(const Plan& plan, double h, const Motion& motion, bool is_moved) const {
   double work = 0.0;
   for (int c = 0; c < plan.dimensions; ++c)
     for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at) {
-      work += sweeps_->work()[at];
-      if (is_moved) work += plan.mass[i] * sweeps_->change()[at] * (motion.x[at] - free_x_[at]) / h;
+      const bool is_displaced = is_moved && motion.x[at] != free_x_[at];
+      work += is_displaced ? plan.mass[i] * sweeps_->change()[at] * (motion.x[at] - x_[at]) / h : sweeps_->work()[at];
     }
   return work;
 }
