@@ -43,6 +43,28 @@ bool is_smooth(double start, double middle, double end) {
   return std::abs(start - 2.0 * middle + end) <= max_power_bend * std::max({std::abs(start), std::abs(middle), std::abs(end)});
 }
 
+// [J], of dashpots whose impulse is that of the path of the method, from `start` to `free`, along the path to `end`.
+double dashpot_work(const Plan& plan, double h, const Field& start, const Field& free, const Field& end) {
+  double work = 0.0;
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const double damping = plan.damping[run.begin + e];
+      if (damping == 0.0) continue;
+      const auto length = [&](const Field& x) {
+        double sum = 0.0;
+        for (int c = 0; c < plan.dimensions; ++c) {
+          const std::size_t at = static_cast<std::size_t>(c) * plan.points;
+          const double difference = x[at + run.second + e] - x[at + run.first + e];
+          sum += difference * difference;
+        }
+        return std::sqrt(sum);
+      };
+      const double l0 = length(start);
+      work -= damping * (length(free) - l0) * (length(end) - l0) / h;
+    }
+  return work;
+}
+
 // (a - b) / ln(a / b), of two powers that dissipate; 0 if one of them is.
 double logarithmic_mean(double a, double b) {
   if (!(a * b > 0.0)) return 0.0;
@@ -124,7 +146,7 @@ void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
   const EnergyLedger start = power_;
   power_ = power_at_end(plan, motion);
   is_power_current_ = true;
-  if (measures_dashpots_ && sweeps_->has_swept()) std::ranges::copy(motion.x, free_x_.begin());
+  if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
 
   const auto is_resolved = [&](EnergyCause cause) { return rate_of(plan, cause) * h <= max_resolved_rate; };
   EnergyLedger middle;
@@ -148,7 +170,7 @@ void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
     const double mean = is_resolved ? 0.5 * (start[cause] + power_[cause]) : logarithmic_mean(start[cause], power_[cause]);
     work_[cause] = h * mean;
   }
-  if (measures_dashpots_ && sweeps_->has_swept()) std::ranges::copy(motion.x, free_x_.begin());
+  if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
 }
 
 // At points that contact or the strain limit moved, the impulses of the sweeps act along the path that results, as all forces do for
@@ -169,7 +191,8 @@ void PowerWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_
     is_power_current_ = false;
     // What contact stops has not moved with the velocity at which the forces acted: at rest, that which the weight causes in a substep.
     // Where contact pushes points, as out of a collider, their displacement is the larger one, but no motion in which forces do work.
-    const EnergyLedger moved = displacement_work(plan, h, motion.x);
+    EnergyLedger moved = displacement_work(plan, h, motion.x);
+    if (measures_dashpots_) work_[EnergyCause::Dashpots] = moved[EnergyCause::Dashpots] = dashpot_work(plan, h, x_, free_x_, motion.x);
     for (const EnergyCause cause : by_power)
       if (std::abs(moved[cause]) < std::abs(work_[cause])) work_[cause] = moved[cause];
   }
