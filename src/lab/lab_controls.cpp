@@ -20,7 +20,7 @@ void Lab::open(std::shared_ptr<const Scene> scene) {
 
 // Resets everything for the scene that was just opened.
 void Lab::reset_session() {
-  scene_.state.ledger = {};
+  scene_.state.supply = {};
   held_edits_.clear();
   published_system_.reset();
   published_document_.reset();
@@ -45,7 +45,7 @@ void Lab::reset_session() {
   limit_work_ = last_limit_work_ = hand_lag_ = 0.0;
   gas_releases_.clear();
   update_plan({.structure = true});
-  initialize_ledger(scene_.system, scene_.state);
+  initialize_supply(scene_.system, scene_.state);
 }
 
 void Lab::rebuild_plan() {
@@ -178,7 +178,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  },
                  [&](const Play& play) {
                    open(play.recording->start);
-                   scene_.state.ledger = opened_->state.ledger;
+                   scene_.state.supply = opened_->state.supply;
                    recorder_.record_scene(scene_);
                    playback_.start(play.recording);
                    if (play.recording->frames == 0) play_edits();
