@@ -91,9 +91,9 @@ void add_run(const Scene& scene, int finest, Coverage& coverage) {
   if (done < frames || !claimed) return;
   const auto exact = end_of(scene, "dop853", 10, 1e-10), other = end_of(scene, "velocity_verlet", finest, std::nullopt);
   if (!exact || !other) return;
-  const double error = weighted_distance(lab.scene().state.position, *exact, 1.0).rms;
+  const double error = weighted_distance(lab.scene().system, lab.scene().state.position, *exact, 1.0).rms;
   constexpr double min_error = 1e-9, max_gap = 0.1;
-  if (error > min_error && weighted_distance(*exact, *other, 1.0).rms < max_gap * error) coverage.add(*claimed, error);
+  if (error > min_error && weighted_distance(lab.scene().system, *exact, *other, 1.0).rms < max_gap * error) coverage.add(*claimed, error);
 }
 
 TEST(AccumulatedCoverage, IsRarelyFarTooSmallOrTooLarge) {

@@ -62,34 +62,7 @@ TEST(AutomaticReplay, HasTheSameBits) {
   EXPECT_EQ(played.scene().state.memory, lab.scene().state.memory);
 }
 
-// With weak dashpots it takes steps that are not in the table of integrators.
-TEST(AutomaticReplay, OfTheLeapfrogHasTheSameBits) {
-  const ScratchFolder scratch;
-  const std::filesystem::path file = scratch.folder / "leapfrog.hookelog";
-  const TestSim sim = net(8, 1e4, 0.5);
-  Scene scene;
-  scene.system = sim.system;
-  scene.state = sim.state;
-  scene.settings = {.integrator = &automatic_method()};
-  Lab lab(scene);
-  for (int i = 0; i < 3; ++i) lab.step();
-  lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
-  for (int i = 0; i < 6; ++i) lab.step();
-  lab.submit(Record{});
-  apply_now(lab);
-  EXPECT_EQ(lab.scene().state.memory.choice->method->id, "leapfrog");
-
-  auto recording = std::make_shared<const Recording>(parse_recording(contents(file), "test"));
-  Lab played(*recording->start, KeepStart::No);
-  played.submit(Play{std::move(recording)});
-  apply_now(played);
-  while (played.is_playing()) played.step();
-  EXPECT_EQ(played.difference(), "");
-  EXPECT_EQ(hash_state(played.scene().state), hash_state(lab.scene().state));
-  EXPECT_EQ(played.scene().state.memory, lab.scene().state.memory);
-}
-
-// A stiff and a soft chain, which have their own steps.
+// A stiff and a soft chain.
 Scene two_chains() {
   TestSim sim;
   for (const double stiffness : {20.0, 2e4}) {
@@ -108,24 +81,20 @@ Scene two_chains() {
   return scene;
 }
 
-TEST(AutomaticReplay, OfPartsWithTheirOwnStepsHasTheSameBits) {
+TEST(AutomaticReplay, OfAStiffAndASoftPartHasTheSameBits) {
   const ScratchFolder scratch;
   const std::filesystem::path file = scratch.folder / "auto.hookelog";
   Lab lab(two_chains());
   for (int i = 0; i < 7; ++i) lab.step();
-  EXPECT_EQ(lab.scene().state.memory.islands.size(), 2u);
   lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
   for (int i = 0; i < 20; ++i) lab.step();
   lab.submit(SetParameter{find_parameter("stiffness"), 300.0});
   for (int i = 0; i < 3; ++i) lab.step();
-  EXPECT_TRUE(lab.scene().state.memory.islands.empty());
   lab.submit(Undo{});
   for (int i = 0; i < 3; ++i) lab.step();
-  EXPECT_EQ(lab.scene().state.memory.islands.size(), 2u);
   lab.submit(Record{});
   apply_now(lab);
   auto recording = std::make_shared<const Recording>(parse_recording(contents(file), "test"));
-  EXPECT_EQ(recording->start->state.memory.islands.size(), 2u);
   Lab played(*recording->start, KeepStart::No);
   played.submit(Play{std::move(recording)});
   apply_now(played);
@@ -134,7 +103,7 @@ TEST(AutomaticReplay, OfPartsWithTheirOwnStepsHasTheSameBits) {
   EXPECT_EQ(played.scene().state.memory, lab.scene().state.memory);
 }
 
-// The text of a recording that starts while two parts have their own steps.
+// The text of a recording that starts with a choice of `auto`.
 std::string recording_of_two_chains() {
   const ScratchFolder scratch;
   const std::filesystem::path file = scratch.folder / "auto.hookelog";
@@ -147,56 +116,15 @@ std::string recording_of_two_chains() {
   return contents(file);
 }
 
-// Earlier versions wrote no parts: the methods are chosen anew.
-TEST(AutomaticReplay, ARecordingOfAnEarlierVersionHasNoParts) {
+// Other versions write other numbers beside the method and its substeps.
+TEST(AutomaticReplay, AChoiceOfAnotherVersionIsRead) {
   std::string text = recording_of_two_chains();
-  const std::size_t begin = text.find(", \"islands\": ["), end = text.find(']', begin);
-  ASSERT_NE(begin, std::string::npos) << text.substr(text.find("\"memory\""), 200);
-  text.erase(begin, end + 1 - begin);
-  const Recording recording = parse_recording(text, "test");
-  EXPECT_TRUE(recording.start->state.memory.choice);
-  EXPECT_TRUE(recording.start->state.memory.islands.empty());
-  Lab lab(*recording.start, KeepStart::No);
-  ASSERT_TRUE(lab.step());
-  EXPECT_EQ(lab.scene().state.memory.islands.size(), 2u);
-}
-
-// Another one had other numbers beside the method and its substeps.
-TEST(AutomaticReplay, AChoiceWithoutLaterFieldsIsRead) {
-  std::string text = recording_of_two_chains();
-  text = std::regex_replace(text, std::regex(R"(, "breaks": (true|false))"), ", \"selected_ratio\": 0.5");
-  text = std::regex_replace(text, std::regex(R"(, "recent_turning": [-+.e0-9]+)"), "");
+  text = std::regex_replace(text, std::regex(R"(, "until_estimate": [-0-9]+)"), ", \"selected_ratio\": 0.5");
   ASSERT_NE(text.find("selected_ratio"), std::string::npos);
-  ASSERT_EQ(text.find("recent_turning"), std::string::npos);
   const Recording recording = parse_recording(text, "test");
   ASSERT_TRUE(recording.start->state.memory.choice);
-  EXPECT_FALSE(recording.start->state.memory.choice->breaks);
   Lab lab(*recording.start, KeepStart::No);
   EXPECT_TRUE(lab.step());
-}
-
-TEST(AutomaticReplay, ARecordingWithMorePartsThanThereCanBeIsRefused) {
-  std::string text = recording_of_two_chains();
-  const std::size_t begin = text.find("\"islands\": [") + 12, end = text.find('}', begin) + 1;
-  const std::string first = text.substr(begin, end - begin);
-  for (int i = 0; i < 20; ++i) text.insert(end, "," + first);
-  try {
-    parse_recording(text, "test");
-    FAIL() << "is accepted";
-  } catch (const InputError& refused) {
-    EXPECT_NE(std::string(refused.what()).find("at most 12 islands"), std::string::npos) << refused.what();
-  }
-}
-
-TEST(AutomaticReplay, PartsWithTheirOwnStepsAreMeasuredWithThem) {
-  Lab lab(two_chains(), KeepStart::No);
-  lab.submit(SetAccuracy{AccuracyMode::Full});
-  for (int i = 0; i < 10; ++i) ASSERT_TRUE(lab.step());
-  const Accuracy accuracy = lab.accuracy();
-  EXPECT_EQ(lab.scene().state.memory.islands.size(), 2u);
-  ASSERT_TRUE(accuracy.frame.value && accuracy.accumulated.value);
-  EXPECT_LT(*accuracy.frame.value, 1e-3 / 60.0);
-  EXPECT_LT(*accuracy.accumulated.value, 1e-3);
 }
 
 TEST(AutomaticReplay, AToleranceIsNotTakenOverByAMethodToWhichItMeansSomethingElse) {

@@ -17,10 +17,10 @@ namespace {
 
 TEST(Divergence, RecommendsAStableMethodWhereNoNumberOfSubstepsIsStable) {
   const Settings settings;
-  const Advice advice = suggest_stepping({.omega = 1e12}, settings);
+  const Advice advice = suggest_stepping(StepLimits({.omega = 1e12}), settings);
   EXPECT_EQ(advice.integrator, find_integrator("tr_bdf2"));
   EXPECT_EQ(advice.substeps, settings.substeps);
-  EXPECT_EQ(suggest_stepping({.omega = 1e4}, settings).integrator, settings.integrator);
+  EXPECT_EQ(suggest_stepping(StepLimits({.omega = 1e4}), settings).integrator, settings.integrator);
 }
 
 TEST(Divergence, PausesAtTheLastGoodFrameAndNamesWhatDiverged) {
@@ -65,7 +65,7 @@ TEST(Divergence, OfUndampedExplicitEulerRecommendsAStableMethod) {
   lab.publish();
   EXPECT_NE(lab.status()->diagnosis.message.find("The simulation blew up: energy grew "), std::string::npos)
       << lab.status()->diagnosis.message;
-  EXPECT_NE(suggest_stepping(bound_spectrum(scene.system), scene.settings).integrator, find_integrator("explicit_euler"));
+  EXPECT_NE(suggest_stepping(StepLimits(bound_spectrum(scene.system)), scene.settings).integrator, find_integrator("explicit_euler"));
 }
 
 // dashpots damp motion along the springs; transverse motion grows at every step
@@ -83,7 +83,7 @@ TEST(Divergence, OfDampedExplicitEulerWithinItsLimitRecommendsAStableMethod) {
   lab.publish();
   EXPECT_NE(lab.status()->diagnosis.message.find("The simulation blew up: energy grew "), std::string::npos)
       << lab.status()->diagnosis.message;
-  EXPECT_NE(suggest_stepping(bound_spectrum(scene.system), scene.settings).integrator, find_integrator("explicit_euler"));
+  EXPECT_NE(suggest_stepping(StepLimits(bound_spectrum(scene.system)), scene.settings).integrator, find_integrator("explicit_euler"));
 }
 
 // Springs between any points: nearly all of the matrix is filled. In the window, an exception would end the program.

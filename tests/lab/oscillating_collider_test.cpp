@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/control/automatic.h"
 #include "sim/control/frame_error.h"
 #include "sim/methods/integrator.h"
 #include "support/measured_lab.h"

@@ -91,7 +91,7 @@ TEST(TearAccounts, TheErrorAfterAReleaseOfGasFallsWithTheStep) {
   constexpr int frames = 12, substeps = 20;
   const RingRun coarse(substeps, frames), finer(8 * substeps, frames), reference(128 * substeps, frames);
   const auto error_of = [&](const RingRun& run) {
-    return weighted_distance(run.lab.scene().state.position, reference.lab.scene().state.position, 1.0).rms;
+    return weighted_distance(run.lab.scene().system, run.lab.scene().state.position, reference.lab.scene().state.position, 1.0).rms;
   };
   const Accuracy first = coarse.lab.accuracy(), second = finer.lab.accuracy();
   ASSERT_TRUE(first.accumulated.value && second.accumulated.value);

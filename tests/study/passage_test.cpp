@@ -101,7 +101,7 @@ TEST(Passage, KeepsItsEnergyWithTheRecommendedNumberOfSubsteps) {
       const Integrator& method = *find_integrator(id);
       const Spectrum spectrum = bound_spectrum(network.system);
       const Passage passage = shortest_passage(network.system, network.state);
-      const auto substeps = recommended_substeps(spectrum, {.integrator = &method}, {.passage = passage});
+      const auto substeps = StepLimits(spectrum, {.passage = passage}).recommended_substeps(method, 60.0);
       ASSERT_TRUE(substeps);
       const FallOutcome outcome = fall(network, {.integrator = &method, .substeps = *substeps}, 4.0);
       EXPECT_LT(outcome.gain, 0.05 * passage.energy) << id << " " << start.power << " " << *substeps;
@@ -128,7 +128,7 @@ TEST(Passage, OntoAPlaneKeepsItsEnergyWithTheRecommendedNumberOfSubsteps) {
       const TestNetwork network = network_above_plane(wall.strength, wall.power, wall.core, wall.height, 1.0);
       const StepNeeds needs = step_needs(network.system, network.state);
       const Integrator& method = *find_integrator(id);
-      const auto substeps = recommended_substeps(bound_spectrum(network.system), {.integrator = &method}, needs);
+      const auto substeps = StepLimits(bound_spectrum(network.system), needs).recommended_substeps(method, 60.0);
       ASSERT_TRUE(substeps);
       EXPECT_NE(warning_of_fall(network, id, 1).find(std::to_string(*substeps) + " are recommended"), std::string::npos)
           << warning_of_fall(network, id, 1);

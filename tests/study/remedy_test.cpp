@@ -102,7 +102,7 @@ std::vector<DivergingScene> diverging_scenes() {
   // springs that rotate far, at the linear stability limit
   for (int i = 0; i < 12; ++i) {
     Scene scene = scene_of(shaken_sheet(2e3, 0.2, 100 + seed++), i % 2 == 0 ? "velocity_verlet" : "symplectic_euler", 1);
-    scene.settings.substeps = *min_stable_substeps(*scene.settings.integrator, bound_spectrum(scene.system), 60.0);
+    scene.settings.substeps = *StepLimits(bound_spectrum(scene.system)).stable_substeps(*scene.settings.integrator, 60.0);
     add("rotation", std::move(scene));
   }
 
@@ -167,7 +167,7 @@ TEST(Remedy, NamesTheLinearLimitAndTheMargin) {
   const Scene scene = scene_of(shaken_sheet(1e5, 0.02, 1), "velocity_verlet", 2);
   const Remedy remedy = find_remedy(scene, seconds, never);
   ASSERT_TRUE(remedy.advice);
-  const auto limit = min_stable_substeps(*remedy.advice->integrator, bound_spectrum(scene.system), scene.settings.frame_rate);
+  const auto limit = StepLimits(bound_spectrum(scene.system)).stable_substeps(*remedy.advice->integrator, scene.settings.frame_rate);
   ASSERT_EQ(remedy.linear_limit, limit);
   const std::string description = describe(remedy, scene.settings);
   EXPECT_EQ(remedy.advice->substeps, 4 * *limit);

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "sim/control/automatic.h"
+#include "sim/control/constants.h"
 #include "sim/control/cost_model.h"
 #include "sim/control/frame_error.h"
 #include "sim/control/step_controller.h"
+#include "sim/model/portable_math.h"
 #include "sim/step/divergence.h"
 
 namespace hooke {
@@ -69,30 +71,16 @@ double MethodSelector::compute(const Scene& scene, const Integrator& method, int
   return cost;
 }
 
-// Refines the step until the share is met, or that would cost too much.
-FrameTrial MethodSelector::refine(const Scene& scene, const Integrator& method, int min_substeps, double max_cost) {
-  FrameTrial trial{.method = &method, .substeps = min_substeps, .error = infinity};
+// The frame with this last number of substeps, and with fewer before, as its estimate takes.
+FrameTrial MethodSelector::attempt(const Scene& scene, const Integrator& method, int substeps, double max_cost) {
+  FrameTrial trial{.method = &method};
   runs_.restart();
-  while (true) {
-    const double cost = compute(scene, method, trial.substeps, max_cost - trial.cost, runs_.add());
-    trial.cost += cost;
-    if (runs_.count() < runs_needed(method)) {
-      trial.substeps *= 2;
-      continue;
-    }
-    trial.error = runs_.error(scene.system, method);
-    if (is_accepted(trial.error, scene.share)) return trial;
-    const int order = order_of(scene.system, method, runs_.finest());
-    const int more = refined_substeps({.substeps = trial.substeps, .error = trial.error, .order = order}, scene.share);
-    if (more > max_automatic_substeps || 1.5 * cost * more / trial.substeps > max_cost) return trial;
-    // the cost of a frame is that of the runs of its estimate
-    trial.cost = cost;
-    if (more > 2 * trial.substeps) {
-      runs_.restart();
-      trial.cost = 0.0;
-    }
-    trial.substeps = runs_.count() > 0 ? more : first_substeps(method, more);
+  for (int n = first_substeps(method, substeps); runs_.count() < runs_needed(method); n *= 2) {
+    trial.substeps = n;
+    trial.cost += compute(scene, method, n, max_cost - trial.cost, runs_.add());
   }
+  trial.error = runs_.error(scene.system, method);
+  return trial;
 }
 
 // Whether the finest run agrees with one of a method that damps nothing, with stable steps; yes if that costs too much.
@@ -104,37 +92,51 @@ bool MethodSelector::keeps_vibrations(const Scene& scene, const FrameTrial& tria
   return !with_all_.is_finite || weighted_distance(scene.system, with_all_.position, runs_.finest().position, 1.0).rms <= scene.share;
 }
 
+std::vector<MethodSelector::Candidate> MethodSelector::candidates_for(const StepLimits& limits, double frame_rate) const {
+  const CostModel model(plan_);
+  std::vector<Candidate> list;
+  for (const Integrator& method : integrators()) {
+    if (!method.for_production || method.stability == Stability::Adaptive) continue;
+    const auto min = min_automatic_substeps(limits, method, frame_rate);
+    if (!min) continue;
+    const int substeps = *min << (runs_needed(method) - 1);
+    list.push_back({.method = &method, .substeps = substeps, .cost = 1.5 * model.expected(method, substeps)});
+  }
+  return list;
+}
+
+// The candidate that would be the cheapest if its next attempt met the share comes first; after an attempt that does not, its order says
+// how many substeps may.
 FrameTrial MethodSelector::select(const Plan& plan, const System& system, const Settings& settings, const State& state,
                                   const StepLimits& limits, double share, double max_cost) {
   plan_ = plan;
-  const Scene scene{system, settings, state, limits, share, max_cost};
-  const CostModel model(plan_);
-  struct Candidate {
-    const Integrator* method;
-    int min_substeps;
-    double cost;  // [ms], at least
-  };
-  std::vector<Candidate> candidates;
-  for (const Integrator& method : integrators()) {
-    if (!method.for_production || method.stability == Stability::Adaptive) continue;
-    const auto min = min_automatic_substeps(limits, method, settings.frame_rate);
-    if (min) candidates.push_back({&method, *min, 1.5 * model.expected(method, *min << (runs_needed(method) - 1))});
-  }
-  std::ranges::stable_sort(candidates, {}, &Candidate::cost);
-
+  const Scene scene{system, settings, state, limits, share};
+  std::vector<Candidate> candidates = candidates_for(limits, settings.frame_rate);
   FrameTrial best{.error = infinity, .cost = max_cost};
   bool is_met = false;
   const double start = total_cost_;
-  for (const Candidate& candidate : candidates) {
-    if (is_met && candidate.cost >= best.cost) break;
-    if (best.method != nullptr && total_cost_ - start > max_cost) break;
-    const FrameTrial trial = refine(scene, *candidate.method, candidate.min_substeps, best.cost);
-    const bool meets = is_accepted(trial.error, share);
-    if (meets && damps_vibrations(*trial.method) && !keeps_vibrations(scene, trial, max_cost)) continue;
-    const bool is_better = meets ? !is_met || trial.cost < best.cost : !is_met && (best.method == nullptr || trial.error < best.error);
-    if (!is_better) continue;
-    best = {trial.method, trial.substeps, trial.error, meets ? trial.cost : max_cost};
-    is_met = meets;
+  while (total_cost_ - start <= max_cost) {
+    const auto next = std::ranges::min_element(candidates, {}, &Candidate::cost);
+    if (next == candidates.end() || !(next->cost < best.cost)) break;
+    const FrameTrial trial = attempt(scene, *next->method, next->substeps, best.cost);
+    const bool is_small = is_accepted(trial.error, share);
+    const bool meets = is_small && (!damps_vibrations(*trial.method) || keeps_vibrations(scene, trial, max_cost));
+    if (meets ? !is_met || trial.cost < best.cost : !is_met && trial.error < best.error) {
+      best = {trial.method, trial.substeps, trial.error, meets ? trial.cost : max_cost};
+      is_met = meets;
+    }
+    // of what is too far from its asymptotic range, or diverged, the order says nothing
+    constexpr double max_factor = 1e3, on_failure = 4.0;
+    const int order = order_of(system, *trial.method, runs_.finest());
+    const double ratio = ratio_to_aim(trial.error, share);
+    const double factor = std::isfinite(ratio) ? std::clamp(1.1 * portable::pow(ratio, 1.0 / order), 1.5, max_factor) : on_failure;
+    const double more = factor * trial.substeps;
+    if (is_small || more > max_automatic_substeps || ++next->attempts > control::max_rejections) {
+      candidates.erase(next);
+      continue;
+    }
+    next->substeps = static_cast<int>(more);
+    next->cost = factor * trial.cost;
   }
   return best;
 }

@@ -1,6 +1,8 @@
 // Which method `auto` uses: the cheapest of those that meet the tolerance in the coming frame, which each computes on a copy.
 #pragma once
 
+#include <vector>
+
 #include "sim/control/error_estimator.h"
 #include "sim/methods/step_limits.h"
 #include "sim/step/step.h"
@@ -30,10 +32,18 @@ class MethodSelector {
     const Settings& settings;
     const State& state;
     const StepLimits& limits;
-    double share, max_cost;
+    double share;
   };
+  // A method and the substeps of its next attempt.
+  struct Candidate {
+    const Integrator* method;
+    int substeps;
+    double cost;  // [ms], expected
+    int attempts = 0;
+  };
+  std::vector<Candidate> candidates_for(const StepLimits& limits, double frame_rate) const;
   double compute(const Scene& scene, const Integrator& method, int substeps, double max_cost, FrameEnd& end);
-  FrameTrial refine(const Scene& scene, const Integrator& method, int min_substeps, double max_cost);
+  FrameTrial attempt(const Scene& scene, const Integrator& method, int substeps, double max_cost);
   bool keeps_vibrations(const Scene& scene, const FrameTrial& trial, double max_cost);
 
   Plan plan_;
