@@ -1,5 +1,6 @@
 // Keys that change the stiffness and the number of substeps.
 #include "app/tools/tools.h"
+#include "sim/control/automatic.h"
 
 #include <gtest/gtest.h>
 

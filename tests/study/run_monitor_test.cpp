@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "lab/large_run.h"
+#include "sim/control/automatic.h"
 #include "sim/forces/energy/energy.h"
 #include "sim/forces/force_terms.h"
 #include "sim/step/divergence.h"
