@@ -32,7 +32,7 @@ template <> inline constexpr std::array<std::string_view, 5> field_names<Collide
 template <> inline constexpr std::array<std::string_view, 5> field_names<Collider> = {"shape", "restitution", "friction", "solid", "path"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Force> = {"type", "on", "values"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Patch> = {"points", "shares"};
-template <> inline constexpr std::array<std::string_view, 8> field_names<EnergyLedger> = {
+template <> inline constexpr std::array<std::string_view, 8> field_names<EnergySupply> = {
     "given", "scale", "hand_stretch", "extent", "speed", "reversible", "min_reversible", "max_reversible"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<MethodMemory> = {"step", "error", "choice"};
 template <> inline constexpr std::array<std::string_view, 8> field_names<MethodChoice> = {

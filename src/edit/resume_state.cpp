@@ -96,7 +96,7 @@ ResumeState resume_state_of(const Scene& scene) {
           .grab = grab,
           .collider_grab = collider_grab,
           .hand = hand.position,
-          .ledger = scene.state.ledger,
+          .supply = scene.state.supply,
           .memory = scene.state.memory,
           .torn = scene.state.torn,
           .tears = scene.tears};
@@ -113,9 +113,9 @@ void restore_resume_state(const JsonField& field, Scene& scene) {
   for (std::size_t i = 0; i < rest.tears.size(); ++i)
     if (rest.tears[i]->before > i) field.refuse("tears: each must come after an earlier one");
   if (rest.torn > rest.tears.size()) field.refuse("torn: must be one of the tears");
-  const EnergyLedger& ledger = rest.ledger;
-  for (const double value : {ledger.net_input, ledger.scale, ledger.hand_stretch, ledger.extent.value_or(0.0), ledger.speed.value_or(0.0),
-                             ledger.reversible.value_or(0.0), ledger.min_reversible.value_or(0.0), ledger.max_reversible.value_or(0.0)})
+  const EnergySupply& supply = rest.supply;
+  for (const double value : {supply.net_input, supply.scale, supply.hand_stretch, supply.extent.value_or(0.0), supply.speed.value_or(0.0),
+                             supply.reversible.value_or(0.0), supply.min_reversible.value_or(0.0), supply.max_reversible.value_or(0.0)})
     if (!std::isfinite(value)) field.refuse("ledger: must be numbers below 1.8e308");
   if (!is_valid(rest.memory))
     field.refuse("memory: choice: must be a method with fixed steps, and 1 to " + std::to_string(max_substeps) + " substeps");
@@ -123,7 +123,7 @@ void restore_resume_state(const JsonField& field, Scene& scene) {
   scene.state.torn = rest.torn;
   scene.tears = rest.tears;
   scene.state.hand.position = rest.hand;
-  scene.state.ledger = rest.ledger;
+  scene.state.supply = rest.supply;
   scene.state.memory = rest.memory;
   Effect effect;
   if (rest.collider_grab) apply(scene, GrabCollider{*rest.collider_grab}, effect);

@@ -7,7 +7,7 @@
 
 namespace hooke {
 
-// The state of a run that is not in the scene file but needed to resume it: ids, the hand, the energy ledger, the memory of an adaptive
+// The state of a run that is not in the scene file but needed to resume it: ids, the hand, the energy supplied, the memory of an adaptive
 // method, and the tears.
 struct ResumeState {
   static constexpr auto fields = names("point_ids", "spring_ids", "next_point_id", "next_spring_id", "grab", "collider_grab", "hand",
@@ -18,7 +18,7 @@ struct ResumeState {
   std::optional<GrabPoint::Item> grab;
   std::optional<GrabCollider::Item> collider_grab;
   Vec3 hand{0.0};
-  EnergyLedger ledger;
+  EnergySupply supply;
   MethodMemory memory;
   std::uint32_t torn = 0;
   std::vector<std::shared_ptr<const Tear>> tears;

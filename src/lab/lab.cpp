@@ -99,7 +99,7 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   if (can_cause_failure(command) && start_.scene()) record_change(command, value, inverse, gesture);
   if (was_in_progress && !frame_in_progress_) must_finish_frame_ = true;
   if (std::holds_alternative<Replace>(command))
-    initialize_ledger(scene_.system, scene_.state);
+    initialize_supply(scene_.system, scene_.state);
   else
     record_edit_energy(scene_.system, effect.invalidates_frame() ? energy_.total() - before : 0.0, scene_.state);
   record_edit(command);
@@ -192,7 +192,7 @@ void Lab::play_edits() {
     } else {
       const auto& scene = std::get<std::shared_ptr<const Scene>>(*item);
       edit(Replace{scene}, 0);
-      scene_.state.ledger = scene->state.ledger;
+      scene_.state.supply = scene->state.supply;
     }
   }
 }
@@ -215,7 +215,9 @@ void Lab::begin_frame() {
   play_edits();
   keep_start();
   if (frame_history_.timeline().empty() || frame_history_.timeline().last_time() != scene_.state.time) add_to_timeline(false);
-  frame_.begin(plan_, scene_.system, scene_.settings, scene_.state);
+  Settings settings = scene_.settings;
+  settings.measures_damping = meter_.mode() != AccuracyMode::Off;
+  frame_.begin(plan_, scene_.system, settings, scene_.state);
   frame_in_progress_ = true;
   frame_ms_ = 0.0;
 }
@@ -284,13 +286,13 @@ bool Lab::finish_frame() {
   if (!start_.scene() && next_.position.size() >= min_points_of_large_run) next_ = {};
   energy_ = torn ? compute_energy(scene_.system, scene_.state) : energy;
   constexpr double explained_fraction = 0.02;
-  const EnergyLedger& ledger = scene_.state.ledger;
-  if (energy.total() - ledger.net_input <= explained_fraction * ledger.scale) explained_until_ = scene_.state.time;
+  const EnergySupply& supply = scene_.state.supply;
+  if (energy.total() - supply.net_input <= explained_fraction * supply.scale) explained_until_ = scene_.state.time;
   ++frames_;
   if (torn) record_tear(*std::move(torn));
   for (std::size_t left = plan_.enclosures.enclosures.size(); left < filled; ++left) gas_releases_.push_back(scene_.state.time);
   hand_lag_ = hand_lag();
-  last_limit_work_ = frame_.motion().limit_work - frame_.motion().limit_gain;
+  last_limit_work_ = explained(frame_.motion().energy, plan_.held || plan_.colliders_move)[EnergyCause::StrainLimit];
   limit_work_ += last_limit_work_;
   add_to_timeline(true);
   // the clock is a sum of frame durations: compare with a tolerance of half a frame

@@ -21,7 +21,7 @@ void Lab::open(std::shared_ptr<const Scene> scene) {
 
 // Resets everything for the scene that was just opened.
 void Lab::reset_session() {
-  scene_.state.ledger = {};
+  scene_.state.supply = {};
   held_edits_.clear();
   published_system_.reset();
   published_document_.reset();
@@ -46,8 +46,12 @@ void Lab::reset_session() {
   limit_work_ = last_limit_work_ = hand_lag_ = 0.0;
   gas_releases_.clear();
   update_plan({.structure = true});
+<<<<<<< HEAD
   frame_.take_change();  // it is the start of a run, not an edit in one
   initialize_ledger(scene_.system, scene_.state);
+=======
+  initialize_supply(scene_.system, scene_.state);
+>>>>>>> merged
 }
 
 void Lab::rebuild_plan() {
@@ -181,7 +185,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  },
                  [&](const Play& play) {
                    open(play.recording->start);
-                   scene_.state.ledger = opened_->state.ledger;
+                   scene_.state.supply = opened_->state.supply;
                    recorder_.record_scene(scene_);
                    playback_.start(play.recording);
                    if (play.recording->frames == 0) play_edits();

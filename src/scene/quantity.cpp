@@ -89,10 +89,17 @@ template <Measured Accuracy::*field>
 double accuracy_of(const Measurement& m, Index) {
   return m.accuracy == nullptr ? std::numeric_limits<double>::quiet_NaN() : value_of(m.accuracy->*field);
 }
-template <double EnergyBalance::*field>
+template <auto term>
 double balance_of(const Measurement& m, Index) {
-  return m.accuracy == nullptr || !m.accuracy->is_on ? std::numeric_limits<double>::quiet_NaN() : m.accuracy->energy.*field;
+  return m.accuracy == nullptr || !m.accuracy->is_on ? std::numeric_limits<double>::quiet_NaN() : term(m.accuracy->energy);
 }
+template <EnergyCause cause>
+double work_of(const EnergyBalance& balance) {
+  return balance.ledger[cause];
+}
+double work_of_forces(const EnergyBalance& balance) { return balance.ledger.forces(); }
+double work_of_limits(const EnergyBalance& balance) { return balance.ledger.limits(); }
+double gain_of_method(const EnergyBalance& balance) { return balance.method(); }
 
 constexpr std::array rows{
     QuantityRow{"time", "s", Of::Scene, "Time", [](const Measurement& m, Index) { return m.state.time; }},
@@ -101,7 +108,7 @@ constexpr std::array rows{
     QuantityRow{"gravitational", "J", Of::Scene, "Potential energy", [](const Measurement& m, Index) { return m.energy.gravitational; }},
     QuantityRow{"total", "J", Of::Scene, "Total energy", [](const Measurement& m, Index) { return m.energy.total(); }},
     QuantityRow{"dissipated", "J", Of::Scene, "Energy dissipated since the start",
-                [](const Measurement& m, Index) { return m.state.ledger.net_input - m.energy.total(); }},
+                [](const Measurement& m, Index) { return m.state.supply.net_input - m.energy.total(); }},
     QuantityRow{"momentum_x", "kg m/s", Of::Scene, "Momentum along x", momentum_of<0>},
     QuantityRow{"momentum_y", "kg m/s", Of::Scene, "Momentum along y", momentum_of<1>},
     QuantityRow{"momentum_z", "kg m/s", Of::Scene, "Momentum along z", momentum_of<2>},
@@ -124,19 +131,20 @@ constexpr std::array rows{
     QuantityRow{"error_max", "m", Of::Scene, "Error of a frame, maximum over the points", accuracy_of<&Accuracy::frame_max>, true},
     QuantityRow{"accumulated_error", "m", Of::Scene, "Accumulated error, RMS over the points", accuracy_of<&Accuracy::accumulated>, true},
     QuantityRow{"amplification", "1", Of::Scene, "Growth of a small difference in a second", accuracy_of<&Accuracy::amplification>, true},
-    QuantityRow{"energy_hand", "J", Of::Scene, "Energy supplied by the hand", balance_of<&EnergyBalance::hand>, true},
-    QuantityRow{"energy_edits", "J", Of::Scene, "Energy supplied by edits", balance_of<&EnergyBalance::edits>, true},
-    QuantityRow{"energy_forces", "J", Of::Scene, "Energy supplied by listed forces", balance_of<&EnergyBalance::forces>, true},
-    QuantityRow{"energy_colliders", "J", Of::Scene, "Energy supplied by moving colliders", balance_of<&EnergyBalance::colliders>, true},
-    QuantityRow{"energy_limits", "J", Of::Scene, "Energy supplied by breaking springs and the strain limit",
-                balance_of<&EnergyBalance::limits>, true},
-    QuantityRow{"energy_drag", "J", Of::Scene, "Energy supplied by drag; negative: dissipated", balance_of<&EnergyBalance::drag>, true},
-    QuantityRow{"energy_dashpots", "J", Of::Scene, "Energy supplied by dashpots; negative: dissipated",
-                balance_of<&EnergyBalance::dashpots>, true},
-    QuantityRow{"energy_contact", "J", Of::Scene, "Energy supplied by contact; negative: dissipated", balance_of<&EnergyBalance::contact>,
+    QuantityRow{"energy_hand", "J", Of::Scene, "Energy supplied by the hand", balance_of<work_of<EnergyCause::Hand>>, true},
+    QuantityRow{"energy_edits", "J", Of::Scene, "Energy supplied by edits", balance_of<work_of<EnergyCause::Edits>>, true},
+    QuantityRow{"energy_forces", "J", Of::Scene, "Energy supplied by listed forces", balance_of<work_of_forces>, true},
+    QuantityRow{"energy_colliders", "J", Of::Scene, "Energy supplied by moving colliders", balance_of<work_of<EnergyCause::Colliders>>,
                 true},
-    QuantityRow{"energy_method", "J", Of::Scene, "Energy gained by the numerical method; negative: lost",
-                balance_of<&EnergyBalance::method>, true},
+    QuantityRow{"energy_limits", "J", Of::Scene, "Energy supplied by breaking springs and the strain limit", balance_of<work_of_limits>,
+                true},
+    QuantityRow{"energy_drag", "J", Of::Scene, "Energy supplied by drag; negative: dissipated", balance_of<work_of<EnergyCause::Drag>>,
+                true},
+    QuantityRow{"energy_dashpots", "J", Of::Scene, "Energy supplied by dashpots; negative: dissipated",
+                balance_of<work_of<EnergyCause::Dashpots>>, true},
+    QuantityRow{"energy_contact", "J", Of::Scene, "Energy supplied by contact; negative: dissipated",
+                balance_of<work_of<EnergyCause::Contact>>, true},
+    QuantityRow{"energy_method", "J", Of::Scene, "Energy gained by the numerical method; negative: lost", balance_of<gain_of_method>, true},
     QuantityRow{"x", "m", Of::Point, "Position of a point, x", position_of<0>},
     QuantityRow{"y", "m", Of::Point, "Position of a point, y", position_of<1>},
     QuantityRow{"z", "m", Of::Point, "Position of a point, z", position_of<2>},

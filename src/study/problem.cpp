@@ -15,7 +15,7 @@ namespace hooke {
 namespace {
 
 Problem make(std::string id, std::string title, InitialState start) {
-  initialize_ledger(start.system, start.state);
+  initialize_supply(start.system, start.state);
   return {.id = std::move(id), .title = std::move(title), .system = std::move(start.system), .start = std::move(start.state)};
 }
 
@@ -61,7 +61,7 @@ const BuiltInProblem* find_problem(std::string_view id) {
 Problem make_problem(const std::string& id, const Scene& scene) {
   Problem problem{.id = id, .title = scene.name.empty() ? id : scene.name, .system = scene.system, .start = scene.state};
   problem.start.time = 0.0;
-  initialize_ledger(problem.system, problem.start);
+  initialize_supply(problem.system, problem.start);
 
   Vec3 min(1e300), max(-1e300);
   for (const Vec3& x : problem.start.position) {

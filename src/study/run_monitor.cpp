@@ -9,6 +9,7 @@
 #include "lab/large_run.h"
 #include "sim/control/automatic.h"
 #include "sim/control/frame_error.h"
+#include "sim/forces/constants.h"
 #include "sim/forces/energy/energy.h"
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/methods/integrator.h"
@@ -17,19 +18,21 @@ namespace hooke {
 namespace {
 
 double unexplained_energy(const System& system, const State& state) {
-  return compute_energy(system, state).total() - state.ledger.net_input;
+  return compute_energy(system, state).total() - state.supply.net_input;
 }
 
-// [J], in a frame, negative: by contact, and by drag and dashpots where they are measured. Neither they nor a strain limit can supply
-// anything (EnergyAccounts).
-double measured_dissipation(const Motion& motion) {
-  return std::min(0.0, motion.contact_work) + motion.drag_work + std::min(0.0, motion.dashpot_work) - motion.limit_gain;
+// [J], in a frame, negative: by contact, and by drag and dashpots where they are measured.
+double measured_dissipation(const Plan& plan, const Motion& motion) {
+  using enum EnergyCause;
+  const EnergyLedger ledger = explained(motion.energy, plan.held || plan.colliders_move);
+  return ledger[Contact] + ledger[Drag] + ledger[Dashpots];
 }
 
 // [J], at most, in a frame by contact and forces. What colliders and forces do is part of the supplied energy, up to an error no larger
 // than that; what contact with obstacles at rest dissipates is not.
 double booked_dissipation(const Motion& motion) {
-  return 2.0 * std::max(0.0, -motion.contact_work) + std::abs(motion.collider_work) + std::abs(motion.force_work - motion.reversible_work);
+  using enum EnergyCause;
+  return 2.0 * std::max(0.0, -motion.energy[Contact]) + std::abs(motion.energy[Colliders]) + std::abs(motion.energy[Forces]);
 }
 
 bool is_large(const State& state) { return state.position.size() >= min_points_of_large_run; }
@@ -38,11 +41,10 @@ bool has_modified_energy(const Settings& settings) { return settings.integrator-
 
 // [J], at most, in a frame by forces whose damping the substeps do not resolve: less of it is recorded than a method dissipates.
 double unresolved_dissipation(const Plan& plan, const Settings& settings, const State& state, double kinetic) {
-  constexpr double max_resolved = 0.3;  // as in ForceWork
   const int substeps = state.memory.choice ? state.memory.choice->substeps : settings.substeps;
   const double rate = plan.spectrum.force_rate + plan.spectrum.estimated_rate, duration = 1.0 / settings.frame_rate;
-  if (!(rate * duration > max_resolved * substeps)) return 0.0;
-  return max_dissipation({.drag_rate = rate}, state.ledger.scale, kinetic, duration);
+  if (!(rate * duration > max_resolved_rate * substeps)) return 0.0;
+  return max_dissipation({.drag_rate = rate}, state.supply.scale, kinetic, duration);
 }
 
 // "6200 %": with two digits.
@@ -58,7 +60,7 @@ std::string percent_text(double fraction) {
 RunMonitor::RunMonitor(const Plan& plan, const Settings& settings, const System& system, const State& start, int frames_per_estimate)
     : frames_per_estimate_(frames_per_estimate),
       start_{unexplained_energy(system, start), start.position.size()},
-      scale_(start.ledger.scale) {
+      scale_(start.supply.scale) {
   const Now now{plan, settings, start, nullptr};
   // the method may become one whose modified energy is known
   if (is_large(start) && !is_automatic(settings))
@@ -127,8 +129,8 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   note_crossings(motion.crossings, state.time - 1.0 / settings.frame_rate);
   const Now now{plan, settings, state, &motion};
   const double energy = unexplained_energy(system, state);
-  scale_ = state.ledger.scale;
-  dissipated_ += measured_dissipation(motion);
+  scale_ = state.supply.scale;
+  dissipated_ += measured_dissipation(plan, motion);
   max_dissipated_ += dissipation_.end_frame(plan, system, state, motion) + booked_dissipation(motion) +
                      unresolved_dissipation(plan, settings, state, kinetic_energy(system, state));
   if (energy - lowest_.energy > rise_.energy) {

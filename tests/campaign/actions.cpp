@@ -21,7 +21,7 @@ constexpr int actions_per_session = 200;
 // Everything that undo restores: the content of a scene file and the ids. The position of the hand and its work are not edits.
 std::string text_of(const Scene& scene) {
   ResumeState rest = resume_state_of(scene);
-  rest.ledger = {};
+  rest.supply = {};
   rest.hand = Vec3(0.0);
   rest.grab.reset();
   rest.collider_grab.reset();

@@ -119,7 +119,7 @@ TEST(Mesh, StretchedStoresTheEnergyOfTheMaterial) {
 TEST(Mesh, WithDefaultSettingsFallsAndLiesOnTheFloor) {
   Scene scene = load(grid(8, 8, 0.1)).scene;
   EXPECT_LT(scene.settings.substep(), largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system)));
-  initialize_ledger(scene.system, scene.state);
+  initialize_supply(scene.system, scene.state);
   Plan plan = make_plan(scene.system);
   Frame frame;
   for (int i = 0; i < 120; ++i) {

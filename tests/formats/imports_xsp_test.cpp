@@ -186,7 +186,7 @@ TEST(Xsp, StiffSpringsGetAStableStep) {
       lines += "spng " + std::to_string(i) + " " + std::to_string(i) + " " + std::to_string(i + 1) + " " + k + " 0 20\n";
     Scene scene = load(lines).scene;
     EXPECT_LT(scene.settings.substep(), largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system)));
-    initialize_ledger(scene.system, scene.state);
+    initialize_supply(scene.system, scene.state);
     run(scene, 1.0);
     EXPECT_FALSE(find_divergence(scene.system, scene.state, compute_energy(scene.system, scene.state))) << k;
   }

@@ -87,11 +87,11 @@ TEST(AccuracyMeter, DoesNotTakeTheLossInWindForThatOfTheMethod) {
   for (const PointId point : {first, second}) sim.system.point(sim.system.index_of(point)).radius = 0.1;
   sim.join(first, second, 1000.0, 0.2);
   sim.system.forces = {force_with("wind", {{"x", 1.0}, {"z", 0.0}})};
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("velocity_verlet"), .substeps = 100}));
   for (int frame = 0; frame < 30; ++frame) ASSERT_TRUE(lab.step());
   const Accuracy accuracy = lab.accuracy();
-  EXPECT_LT(accuracy.energy.forces, -40.0);
+  EXPECT_LT(accuracy.energy.ledger.forces(), -40.0);
   EXPECT_EQ(accuracy.accumulated.reason, "");
   EXPECT_LT(accuracy.accumulated.value.value_or(1.0), 1e-3);
 }

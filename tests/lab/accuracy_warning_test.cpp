@@ -129,10 +129,10 @@ TEST(AccumulatedWarning, LeavesChaoticMotionToItsPredictability) {
             "the positions are beyond the time for which the motion can be predicted: only averages are meaningful");
 
   // energy from nowhere is no average to rely on
-  accuracy.energy.method = 0.02;
+  accuracy.energy.change = 0.02;
   accuracy.energy_scale = 1.0;
   EXPECT_TRUE(accumulated_warning(accuracy, {}).value_or("").ends_with(": only averages are meaningful"));
-  accuracy.energy.method = 5.7;
+  accuracy.energy.change = 5.7;
   EXPECT_EQ(accumulated_warning(accuracy, {}),
             "the positions are beyond the time for which the motion can be predicted: not even averages are meaningful, because the method "
             "has gained 570 % of the energy supplied");

@@ -52,7 +52,7 @@ TEST(CloseStart, GainsOfSeparationAreInTheEnergyBalance) {
     const double gain = compute_energy(lab.scene().system, lab.scene().state).total() - start;
     if (gain <= 0.05 * start) continue;
     ++gains;
-    EXPECT_GE(lab.accuracy().energy.method, gain * (1.0 - 1e-9)) << seed;
+    EXPECT_GE(lab.accuracy().energy.method(), gain * (1.0 - 1e-9)) << seed;
   }
   EXPECT_GT(gains, 0);
   if (prints) std::printf("%d of %d nets gained more than 5 %%\n", gains, nets);

@@ -127,11 +127,11 @@ TEST_P(ContactAccounts, LeaveLittleToTheMethodAndLessWithMoreSubsteps) {
       for (const int factor : {1, refinement}) {
         const Settings settings{.integrator = &method(), .substeps = factor * substeps, .tolerance = {}};
         const EnergyBalance balance = balance_of(scene_of(sim, settings), frames);
-        EXPECT_LE(balance.contact, 0.0);
-        EXPECT_LE(balance.dashpots, 0.0);
-        EXPECT_LE(balance.limits, 0.0);
-        EXPECT_NEAR(balance.sum(), balance.change, 1e-9);
-        (factor == 1 ? coarse : fine) += std::abs(balance.method / balance.change) / (2 * falls);
+        EXPECT_LE(balance.ledger[EnergyCause::Contact], 0.0);
+        EXPECT_LE(balance.ledger[EnergyCause::Dashpots], 0.0);
+        EXPECT_LE(balance.ledger.limits(), 0.0);
+        EXPECT_NEAR(balance.ledger.sum() + balance.method(), balance.change, 1e-9);
+        (factor == 1 ? coarse : fine) += std::abs(balance.method() / balance.change) / (2 * falls);
       }
     }
   if (std::getenv("HOOKE_PRINT") != nullptr)
@@ -161,10 +161,10 @@ TEST_P(ContactAccounts, SayThatNothingIsSuppliedOrLostAtRest) {
       balance = lab.accuracy().energy;
     }
     const double tolerance = 2e-4 * std::abs(rest[0].change);
-    EXPECT_LT(rest[0].dashpots, -0.01);
-    EXPECT_NEAR(rest[1].dashpots, rest[0].dashpots, tolerance);
-    EXPECT_NEAR(rest[1].method, rest[0].method, tolerance);
-    EXPECT_NEAR(rest[1].contact, rest[0].contact, tolerance);
+    EXPECT_LT(rest[0].ledger[EnergyCause::Dashpots], -0.01);
+    EXPECT_NEAR(rest[1].ledger[EnergyCause::Dashpots], rest[0].ledger[EnergyCause::Dashpots], tolerance);
+    EXPECT_NEAR(rest[1].method(), rest[0].method(), tolerance);
+    EXPECT_NEAR(rest[1].ledger[EnergyCause::Contact], rest[0].ledger[EnergyCause::Contact], tolerance);
   }
 }
 
@@ -175,9 +175,9 @@ TEST(ContactAccountsOf, StackedJellyBookWhatIsLost) {
   for (const int frames : {30, 60, 120}) {
     const EnergyBalance balance = balance_of(scene, frames);
     EXPECT_LT(balance.change, -13.0);
-    EXPECT_LT(std::abs(balance.method), 0.005 * -balance.change) << frames;
-    EXPECT_LT(balance.contact, -2.0);
-    EXPECT_LT(balance.dashpots, -10.0);
+    EXPECT_LT(std::abs(balance.method()), 0.005 * -balance.change) << frames;
+    EXPECT_LT(balance.ledger[EnergyCause::Contact], -2.0);
+    EXPECT_LT(balance.ledger[EnergyCause::Dashpots], -10.0);
   }
 }
 
@@ -188,8 +188,9 @@ TEST(ContactAccountsOf, AStrainLimitSupplyNothing) {
   scene.system.strain_limit = 0.1;
   const EnergyBalance balance = balance_of(scene, 120);
   EXPECT_LT(balance.change, -15.0);
-  EXPECT_LE(balance.limits, 0.0);
-  for (const double share : {balance.limits, balance.dashpots, balance.contact, balance.drag}) {
+  EXPECT_LE(balance.ledger.limits(), 0.0);
+  for (const double share : {balance.ledger.limits(), balance.ledger[EnergyCause::Dashpots], balance.ledger[EnergyCause::Contact],
+                             balance.ledger[EnergyCause::Drag]}) {
     EXPECT_LE(share, 0.0);
     EXPECT_GT(share, balance.change);
   }

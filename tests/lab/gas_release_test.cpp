@@ -16,7 +16,7 @@ Scene weak_ball() {
   scene.system = sim.system;
   scene.state = sim.state;
   scene.settings.substeps = 20;
-  initialize_ledger(scene.system, scene.state);
+  initialize_supply(scene.system, scene.state);
   return scene;
 }
 
@@ -29,10 +29,10 @@ TEST(GasRelease, ATornSurfaceLosesItsGasAndReportsIt) {
   const std::vector<double> times = lab.gas_releases();
   ASSERT_EQ(times.size(), 1u);
   EXPECT_EQ(times[0], lab.scene().state.time);
-  const double work = lab.last_frame().motion().force_work;
+  const double work = lab.last_frame().motion().energy.forces();
   run(lab, 1);
   EXPECT_GT(work, 0.0);
-  EXPECT_EQ(lab.last_frame().motion().force_work, 0.0);
+  EXPECT_EQ(lab.last_frame().motion().energy.forces(), 0.0);
   EXPECT_EQ(lab.gas_releases(), times) << "once";
   lab.publish();
   EXPECT_EQ(lab.status()->run.gas_releases, 1u);

@@ -123,7 +123,7 @@ TEST(GrabbedCollider, FollowsTheMouseWhileAScriptedHandActs) {
   ASSERT_TRUE(without.step());
   // the ball moved away from the sheet, so nothing else is affected
   EXPECT_EQ(lab.scene().state.position, without.scene().state.position);
-  EXPECT_EQ(lab.scene().state.ledger.net_input, without.scene().state.ledger.net_input);
+  EXPECT_EQ(lab.scene().state.supply.net_input, without.scene().state.supply.net_input);
   submit_and_apply(lab, Undo{});
   EXPECT_EQ(lab.scene().system, scene.system);
 }

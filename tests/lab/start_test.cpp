@@ -160,7 +160,7 @@ struct LeakyFixture : StartFixture {
     scene.state = sim.state;
     scene.state.time = time;
     scene.settings.substeps = 20;
-    initialize_ledger(scene.system, scene.state);
+    initialize_supply(scene.system, scene.state);
     return scene;
   }
   const Force& gas() const { return system().forces.at(0); }

@@ -42,8 +42,8 @@ TEST_P(Tearing, ASpringBreaksAtItsStrainAndExertsNoForceAfterwards) {
     broke = sim.state.time;
     v = sim.state.velocity[1];
     // at least 1/2 k (l - l0)^2
-    EXPECT_LE(sim.state.ledger.net_input, -0.5 * 50.0 * 0.2 * 0.2);
-    EXPECT_GT(sim.state.ledger.net_input, -0.5 * 50.0 * 0.22 * 0.22);
+    EXPECT_LE(sim.state.supply.net_input, -0.5 * 50.0 * 0.2 * 0.2);
+    EXPECT_GT(sim.state.supply.net_input, -0.5 * 50.0 * 0.22 * 0.22);
   }
   ASSERT_GT(broke, 0.0);
   EXPECT_NEAR(sim.state.velocity[1].y, v.y - 9.81 * (sim.state.time - broke), 1e-9);

@@ -41,7 +41,7 @@ Problem cloth_on_ball_and_floor(int n, double seconds) {
 Problem cloth_in_folds(int n, double seconds) {
   TestSim sim = dropped_sheet(n);
   folds::touch(sim);
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   return {.id = "folds", .title = "a cloth that falls into its own folds", .system = sim.system, .start = sim.state, .seconds = seconds};
 }
 
@@ -49,7 +49,7 @@ Problem with_dashpots(Problem problem, double damping) {
   for (Index i = 0; i < problem.system.spring_count(); ++i) problem.system.spring(i)->damping = damping;
   problem.id += "_dashpots";
   append_formatted(problem.title, ", d = %g N s/m", damping);
-  initialize_ledger(problem.system, problem.start);
+  initialize_supply(problem.system, problem.start);
   return problem;
 }
 

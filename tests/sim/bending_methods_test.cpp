@@ -41,7 +41,7 @@ TEST_P(BendingMethods, AreStableWithinTheirLimit) {
     for (Index row = 0; row < 5; ++row) sim.system.point(row * 7).nailed = true;
     bend(sim, 1.5, 0.3);
     for (Index row = 0; row < 5; ++row) sim.state.position[static_cast<std::size_t>(row) * 7].y += 0.01;
-    initialize_ledger(sim.system, sim.state);
+    initialize_supply(sim.system, sim.state);
     const double limit = largest_stable_step(method(), bound_spectrum(sim.system));
     if (limit == 0.0) continue;  // amplifies undamped motion at any step, and the springs are undamped
     const int substeps = std::isfinite(limit) ? static_cast<int>(std::ceil(2.0 / 60.0 / limit)) : 1;

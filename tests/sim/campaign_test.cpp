@@ -21,7 +21,7 @@ TEST_P(Campaign, NoRunFailsSilently) {
   int reported = 0;
   for (std::uint64_t seed = 0; seed < scenes; ++seed) {
     TestSim sim = random_force_scene(seed, ForceSceneKind::Any);
-    initialize_ledger(sim.system, sim.state);
+    initialize_supply(sim.system, sim.state);
     Plan plan = make_plan(sim.system);
     const Settings settings{.integrator = &method(), .substeps = 5};
     Frame frame;

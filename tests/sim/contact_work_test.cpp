@@ -23,13 +23,13 @@ TEST_P(ContactWork, ContainsTheWorkOfMovingOutPointsThatStartInside) {
     const PointId deep = sim.add({0.0, -0.5, 0.0}, 2.0), shallow = sim.add({0.4, -0.2, 0.0}, 0.5);
     if (is_joined) sim.join(deep, shallow, 50.0, 0.4);
     sim.system.colliders = {{.shape = Plane{}}};
-    initialize_ledger(sim.system, sim.state);
+    initialize_supply(sim.system, sim.state);
     const double before = compute_energy(sim.system, sim.state).elastic;
     sim.run(method(), 1.0 / 60.0, 100, 1e-8);
     const Energy energy = compute_energy(sim.system, sim.state);
     const double supplied = 9.81 * (2.0 * 0.5 + 0.5 * 0.2) + energy.elastic - before;
-    EXPECT_LE(std::abs(energy.total() - sim.state.ledger.net_input), 1e-2 * supplied) << is_joined;
-    EXPECT_GT(sim.state.ledger.scale, 0.9 * supplied);
+    EXPECT_LE(std::abs(energy.total() - sim.state.supply.net_input), 1e-2 * supplied) << is_joined;
+    EXPECT_GT(sim.state.supply.scale, 0.9 * supplied);
   }
 }
 
@@ -49,7 +49,7 @@ TEST(ContactWork, OfRejectedStepsDoesNotCount) {
     frame.begin(plan, sim.system, settings, sim.state);
     while (!frame.done()) frame.substep(plan);
     frame.end(plan, sim.state);
-    work += frame.motion().contact_work;
+    work += frame.motion().energy[EnergyCause::Contact];
   }
   EXPECT_LT(work, -0.5);
   EXPECT_NEAR(compute_energy(sim.system, sim.state).total() - start, work, 1e-5);
@@ -73,7 +73,7 @@ TEST_P(ContactWork, OfAColliderIsLimitedByItsMotion) {
     frame.begin(plan, sim.system, settings, sim.state);
     while (!frame.done()) frame.substep(plan);
     frame.end(plan, sim.state);
-    work += std::abs(frame.motion().collider_work);
+    work += std::abs(frame.motion().energy[EnergyCause::Colliders]);
   }
   const double path = 4.0 * amplitude * frequency * frames / settings.frame_rate;
   // each bound is of a whole substep: the impulse of contact and that of the force, at the maximum speed
@@ -123,7 +123,7 @@ TEST_P(ContactWork, IsTheEnergyThatABodyLosesUntilItRests) {
         frame.begin(plan, sim.system, settings, sim.state);
         while (!frame.done()) frame.substep(plan);
         frame.end(plan, sim.state);
-        work += frame.motion().contact_work;
+        work += frame.motion().energy[EnergyCause::Contact];
       }
       const double loss = start - compute_energy(sim.system, sim.state).total();
       EXPECT_GT(loss, 0.9) << kind;
@@ -149,7 +149,7 @@ TEST_P(ContactWork, OfForcesOnWhatRestsIsNone) {
       frame.begin(plan, sim.system, settings, sim.state);
       while (!frame.done()) frame.substep(plan);
       frame.end(plan, sim.state);
-      if (i >= 120) work += std::abs(frame.motion().force_work);
+      if (i >= 120) work += std::abs(frame.motion().energy.forces());
     }
     EXPECT_LT(work, 1e-6) << kind;
   }

@@ -17,7 +17,7 @@ class DivergenceDetection : public EveryMethod {
  protected:
   // The number of frames until a divergence is detected, or `max` if there is none.
   int frames_until_divergence(TestSim& sim, int substeps, int max) {
-    initialize_ledger(sim.system, sim.state);
+    initialize_supply(sim.system, sim.state);
     for (int frame = 0; frame < max; ++frame) {
       sim.run(method(), 1.0 / 60.0, substeps);
       if (find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state))) return frame;
@@ -120,7 +120,7 @@ TEST_P(DivergenceDetection, AcceptsErraticGrabsAndParameterChanges) {
   if (method().stability == Stability::None) return;
   Random random(9);
   TestSim sim = net(5, 1e2, 0.0);
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   for (int frame = 0; frame < 400; ++frame) {
     const double energy = compute_energy(sim.system, sim.state).total();
     if (frame % 40 == 0) {
@@ -161,7 +161,7 @@ Swing swing_stiff_sheet(const Integrator& method, int substeps) {
     if (i % n < n - 1) join(i, i + 1);
     if (i < n * (n - 1)) join(i, i + n);
   }
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
 
   Swing swing;
   for (; swing.frames < 30; ++swing.frames) {
@@ -173,7 +173,7 @@ Swing swing_stiff_sheet(const Integrator& method, int substeps) {
     const Energy energy = compute_energy(sim.system, sim.state);
     if (find_divergence(sim.system, sim.state, energy)) break;
     swing.max_energy = std::max(swing.max_energy, energy.total());
-    swing.max_gain = std::max(swing.max_gain, energy.total() - sim.state.ledger.net_input);
+    swing.max_gain = std::max(swing.max_gain, energy.total() - sim.state.supply.net_input);
   }
   return swing;
 }
@@ -199,7 +199,7 @@ TEST(DivergenceDetection, AcceptsRestWithoutGravity) {
   sim.system.gravity = Vec3(0.0);
   sim.join(sim.add(Vec3(0.0)), sim.add({1.0, 0.0, 0.0}), 100.0, 1.0 - 1e-16);
   sim.add({5.0, 0.0, 0.0});
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   for (int frame = 0; frame < 100; ++frame) {
     sim.run(default_integrator(), 1.0 / 60.0, 1);
     ASSERT_FALSE(find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state))) << "frame " << frame;
@@ -210,7 +210,7 @@ TEST(DivergenceDetection, NamesTheNonFinitePointAndItsSpring) {
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
     for (const bool in_velocity : {false, true}) {
       TestSim sim = net(4, 1e2, 0.0);
-      initialize_ledger(sim.system, sim.state);
+      initialize_supply(sim.system, sim.state);
       (in_velocity ? sim.state.velocity : sim.state.position)[9].y = bad;
       EXPECT_FALSE(is_finite(sim.state));
       const auto found = find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state));
@@ -232,7 +232,7 @@ TEST(DivergenceDetection, NamesTheLightPointOfAChainThatDivergesInOneFrame) {
     sim.join(last, next, 1e4, 0.1);
     last = next;
   }
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   sim.run(*find_integrator("blanes_moan4"), 1.0 / 60.0, 40);
   ASSERT_FALSE(is_finite(sim.state));
   const auto found = find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state));
@@ -242,7 +242,7 @@ TEST(DivergenceDetection, NamesTheLightPointOfAChainThatDivergesInOneFrame) {
 
 TEST(DivergenceDetection, NamesTheFastestPointAndItsMostStretchedSpring) {
   TestSim sim = net(4, 1e2, 0.0);
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   sim.state.velocity[9] = {1e5, 0.0, 0.0};
   sim.state.velocity[1] = {1e6, 0.0, 0.0};  // nailed
   sim.system.spring(3)->stiffness = 1e9;

@@ -178,9 +178,9 @@ TEST(Flight, IsNotNeededForASceneAtRest) {
       return frame.force_evaluations();
     };
     const long evaluations = begin(1);
-    const double work = frame.motion().contact_work;
+    const double work = frame.motion().energy[EnergyCause::Contact];
     EXPECT_EQ(begin(40), 40 * evaluations) << method->id;
-    EXPECT_NEAR(frame.motion().contact_work, 40.0 * work, 1e-10 * std::abs(work)) << method->id;
+    EXPECT_NEAR(frame.motion().energy[EnergyCause::Contact], 40.0 * work, 1e-10 * std::abs(work)) << method->id;
     State end = sim.state;
     frame.end(plan, end);
     EXPECT_EQ(end.position, sim.state.position) << method->id;

@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, Overdamped, testing::ValuesIn(every_method()),
 
 TEST_P(Overdamped, APointIsEitherStableOrReportedWithAWarning) {
   TestSim sim = overdamped_point();
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   bool is_reported = false;
   for (int frame = 0; frame < 120 && !is_reported; ++frame) {
     sim.run(method(), 1.0 / 60.0, 5, 1e-8);
@@ -139,7 +139,7 @@ TEST_P(Overdamped, ANetIsStableUnderImplicitMethods) {
     TestSim sim = net(8, 1e3, 0.0);
     for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).nailed = false;
     sim.system.forces = {{.term = &mass_center_force, .values = {0.5, -0.5, 0.0, 20.0 * scale, 500.0 * scale}}};
-    initialize_ledger(sim.system, sim.state);
+    initialize_supply(sim.system, sim.state);
     for (int frame = 0; frame < 60; ++frame) {
       sim.run(method(), 1.0 / 60.0, 1);
       ASSERT_FALSE(find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state))) << frame << ", " << scale;
@@ -170,7 +170,7 @@ TEST(Reach, StopsPointsThatAreImplausiblyFarAway) {
   TestSim sim;
   sim.system.gravity = Vec3(0.0);
   sim.add({0.1, 0.0, 0.0}, 1.0, {1.0, 0.0, 0.0});
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   sim.state.time = 2.0;
   sim.state.position[0].x = 50.0;
   EXPECT_FALSE(find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state)));
@@ -186,7 +186,7 @@ TEST(Reach, AcceptsAPointDrivenAwayByAGrowingForce) {
   sim.system.gravity = Vec3(0.0);
   sim.add({0.1, 0.0, 0.0}, 1.0);
   sim.system.forces = {{.term = &center_force, .values = {0.0, 0.0, 0.0, -400.0, -1.0, 0.1}}};
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   for (int frame = 0; frame < 120; ++frame) {
     sim.run(*find_integrator("dop853"), 1.0 / 60.0, 1, 1e-8);
     ASSERT_FALSE(find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state))) << frame;

@@ -173,11 +173,11 @@ TEST(ForceTerms, WorkIsRecordedInTheLedger) {
   sim.system.gravity = Vec3(0.0);
   sim.add({1.0, 0.0, 0.0}, 1.0);
   sim.system.forces = {force("center", {0.0, 0.0, 0.0, 1000.0, 2.0, 0.01})};
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   sim.run(velocity_verlet, 1.0 / 30.0, 4000);
   const double kinetic = compute_energy(sim.system, sim.state).kinetic;
   ASSERT_GT(kinetic, 100.0);
-  EXPECT_NEAR(sim.state.ledger.net_input, kinetic, 1e-5 * kinetic);
+  EXPECT_NEAR(sim.state.supply.net_input, kinetic, 1e-5 * kinetic);
 }
 
 // Forces that are smooth over a step of 1/60 s.
@@ -196,15 +196,15 @@ TEST(ForceTerms, TheWorkOfEachAccountsForTheEnergyOfAnExactRun) {
     for (Index i = 0; i < 3; ++i) sim.system.point(i).radius = 0.1;
     sim.system.colliders = {{.shape = Plane{.point = {0.0, -3.0, 0.0}}}};
     sim.system.forces = {each};
-    initialize_ledger(sim.system, sim.state);
+    initialize_supply(sim.system, sim.state);
     double supplied = 0.0;
     for (int frame = 0; frame < 30; ++frame) {
-      const double before = sim.state.ledger.net_input;
+      const double before = sim.state.supply.net_input;
       sim.run(dop853, 1.0 / 60.0, 1, 1e-12);
-      supplied += std::abs(sim.state.ledger.net_input - before);
+      supplied += std::abs(sim.state.supply.net_input - before);
     }
     ASSERT_GT(supplied, 0.1) << each.term->id;
-    EXPECT_NEAR(compute_energy(sim.system, sim.state).total(), sim.state.ledger.net_input, 1e-4 * supplied) << each.term->id;
+    EXPECT_NEAR(compute_energy(sim.system, sim.state).total(), sim.state.supply.net_input, 1e-4 * supplied) << each.term->id;
   }
 }
 

@@ -153,9 +153,9 @@ TEST_P(Grabbed, AScriptedHandHoldsBitForBitLikeAMouse) {
   Held scripted, by_hand;
   scripted.sim.system.grab.reset();
   scripted.sim.system.scripted_hand = circling(scripted);
-  initialize_ledger(scripted.sim.system, scripted.sim.state);
+  initialize_supply(scripted.sim.system, scripted.sim.state);
   by_hand.sim.system.grab.reset();
-  initialize_ledger(by_hand.sim.system, by_hand.sim.state);
+  initialize_supply(by_hand.sim.system, by_hand.sim.state);
 
   Plan plan = make_plan(scripted.sim.system);  // one for all frames: the scripted hand grabs and releases without an edit
   Frame frame;
@@ -174,9 +174,9 @@ TEST_P(Grabbed, AScriptedHandHoldsBitForBitLikeAMouse) {
 
     EXPECT_EQ(plan.held.has_value(), i >= 2 && i < 7) << "frame " << i;
     for (Index p = 0; p < 2; ++p) EXPECT_LT(glm::distance(state.position[p], by_hand.sim.state.position[p]), 1e-13) << "frame " << i;
-    EXPECT_NEAR(state.ledger.net_input, by_hand.sim.state.ledger.net_input, 1e-9) << "frame " << i;
+    EXPECT_NEAR(state.supply.net_input, by_hand.sim.state.supply.net_input, 1e-9) << "frame " << i;
   }
-  EXPECT_GT(state.ledger.scale, 1.0);
+  EXPECT_GT(state.supply.scale, 1.0);
 }
 
 TEST(Hand, TheMouseTakesPrecedenceOverAScript) {
@@ -244,14 +244,14 @@ TEST_P(Grabbed, TheWorkOfTheHandIsRecordedToTheOrderOfTheSubsteps) {
       scene.sim.system.spring(0)->damping = 0.0;
       scene.sim.system.point(0).nailed = which.nailed;
       scene.grab(which.kind, scene.sim.position(scene.held));
-      initialize_ledger(scene.sim.system, scene.sim.state);
+      initialize_supply(scene.sim.system, scene.sim.state);
       for (int i = 1; i <= frames; ++i) {
         const double t = 1.0 * i / frames;
         scene.sim.state.hand.target = Vec3(0.1, 0.2, 0.3) + 0.2 * std::pow(std::sin(3.0 * t), 2) * Vec3(1.0, 0.5, 0.2);
         scene.sim.run(method(), 1.0 / frames, steps / frames);
       }
-      EXPECT_GT(scene.sim.state.ledger.scale, 0.1) << which.name;
-      return std::abs(compute_energy(scene.sim.system, scene.sim.state).total() - scene.sim.state.ledger.net_input);
+      EXPECT_GT(scene.sim.state.supply.scale, 0.1) << which.name;
+      return std::abs(compute_energy(scene.sim.system, scene.sim.state).total() - scene.sim.state.supply.net_input);
     };
     // the trapezoidal rule limits every method to second order
     expect_order(missing, 512, std::min(2, method().order), 0.2);

@@ -16,7 +16,7 @@ namespace {
 
 // Whether the mean energy of the third second exceeds that of the first by 20 % of the initial energy, or the run diverges.
 bool gains_energy(const Integrator& method, TestSim sim, double margin) {
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   Plan plan = make_plan(sim.system);
   const double step = largest_stable_step(method, plan.spectrum) / margin;
   // exactly this step, in frames of about 1/60 s
@@ -34,7 +34,7 @@ bool gains_energy(const Integrator& method, TestSim sim, double margin) {
     if (i < frames) first += energy.total() / frames;
     if (i >= (seconds - 1) * frames) last += energy.total() / frames;
   }
-  return last - first > 0.2 * sim.state.ledger.scale;
+  return last - first > 0.2 * sim.state.supply.scale;
 }
 
 using MakeNet = TestSim (*)(std::uint64_t seed);

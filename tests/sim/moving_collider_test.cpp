@@ -150,7 +150,7 @@ TEST_P(Moving, ACarriedBallPushesPointsInItsPath) {
   EXPECT_NEAR(sim.state.position[0].x, 30.5, 1e-9);
   EXPECT_NEAR(sim.state.velocity[0].x, 30.0 * 60.0, 1e-6);
   // all its energy was supplied by the hand and is recorded in the ledger
-  EXPECT_NEAR(sim.state.ledger.net_input, compute_energy(sim.system, sim.state).total(), 1e-6 * sim.state.ledger.net_input);
+  EXPECT_NEAR(sim.state.supply.net_input, compute_energy(sim.system, sim.state).total(), 1e-6 * sim.state.supply.net_input);
 }
 
 TEST(Moving, ACarriedColliderIsLimitedToTheMaximumSpeedOfTheHand) {

@@ -239,7 +239,7 @@ TEST(PairContactOfPoints, AccountsForTheEnergyThatImpactsRemove) {
   frame_in_progress.end(plan, sim.state);
   const double change = kinetic_energy(sim) - before;
   EXPECT_LT(change, -0.1 * before);
-  EXPECT_NEAR(frame_in_progress.motion().contact_work, change, 1e-12 * before);
+  EXPECT_NEAR(frame_in_progress.motion().energy[EnergyCause::Contact], change, 1e-12 * before);
 }
 
 // A held point pushes a ball along: the hand supplies its energy.
@@ -248,11 +248,11 @@ TEST(PairContactOfPoints, OfAHeldPointIsWorkOfTheHand) {
   const PointId held = add_ball(sim, 0.1, {0.0, 0.0, 0.0}), ball = add_ball(sim, 0.1, {0.3, 0.0, 0.0}, 0.5);
   sim.system.grab = Grab{.point = held, .kind = GrabKind::Hold};
   sim.state.hand = {.position = {0.0, 0.0, 0.0}, .target = {0.4, 0.0, 0.0}};
-  const double before = compute_energy(sim.system, sim.state).total() - sim.state.ledger.net_input;
+  const double before = compute_energy(sim.system, sim.state).total() - sim.state.supply.net_input;
   sim.run(verlet(), 0.2, 8);
   EXPECT_NEAR(sim.velocity(ball).x, 2.0, 1e-12);
   EXPECT_NEAR(sim.position(ball).x, 0.6, 1e-12);
-  EXPECT_NEAR(compute_energy(sim.system, sim.state).total() - sim.state.ledger.net_input, before, 1e-12);
+  EXPECT_NEAR(compute_energy(sim.system, sim.state).total() - sim.state.supply.net_input, before, 1e-12);
 }
 
 TEST(PairContactOfPoints, DoesNotDependOnPointsFarAway) {

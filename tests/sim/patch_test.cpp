@@ -177,13 +177,13 @@ TEST(Patch, TheWorkOfTheHandIsRecorded) {
     constexpr int frames = 8;
     ThreePointScene three;
     TestSim& sim = three.sim;
-    initialize_ledger(sim.system, sim.state);
+    initialize_supply(sim.system, sim.state);
     for (int i = 1; i <= frames; ++i) {
       sim.state.hand.target = Vec3(0.3, -0.2, 0.1) + 0.3 * std::pow(std::sin(3.0 * i / frames), 2) * Vec3(1.0, 0.5, 0.2);
       sim.run(*find_integrator("velocity_verlet"), 1.0 / frames, steps / frames);
     }
-    EXPECT_GT(sim.state.ledger.scale, 0.1);
-    return std::abs(compute_energy(sim.system, sim.state).total() - sim.state.ledger.net_input);
+    EXPECT_GT(sim.state.supply.scale, 0.1);
+    return std::abs(compute_energy(sim.system, sim.state).total() - sim.state.supply.net_input);
   };
   expect_order(missing, 512, 2, 0.2);
 }

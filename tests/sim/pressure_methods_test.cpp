@@ -38,7 +38,7 @@ TEST_P(PressureMethods, AreStableWithinTheirLimit) {
     for (const GasOptions& gas : {GasOptions{.pressure = 50.0}, {.pressure = 5.0, .ambient = 1e4}}) {
       TestSim sim = is_ball ? gas_ball(1, 100.0, gas) : gas_ring(16, 500.0, gas);
       for (Vec3& x : sim.state.position) x.y *= 0.9;
-      initialize_ledger(sim.system, sim.state);
+      initialize_supply(sim.system, sim.state);
       const double limit = largest_stable_step(method(), bound_spectrum(sim.system));
       if (limit == 0.0) continue;  // amplifies undamped motion at any step
       const int substeps = std::isfinite(limit) ? static_cast<int>(std::ceil(1.0 / 60.0 / limit)) : 1;

@@ -363,15 +363,15 @@ TEST(Pressure, TheLedgerAccountsForTheWorkOfTheGasWithAndWithoutALeak) {
       const GasOptions gas{.leak = leak};
       TestSim sim = is_ball ? gas_ball(1, 50.0, gas) : gas_ring(16, 50.0, gas);
       for (Vec3& x : sim.state.position) x *= 0.8;
-      initialize_ledger(sim.system, sim.state);
+      initialize_supply(sim.system, sim.state);
       double supplied = 0.0;
       for (int frame = 0; frame < 30; ++frame) {
-        const double before = sim.state.ledger.net_input;
+        const double before = sim.state.supply.net_input;
         sim.run(velocity_verlet, 1.0 / 60.0, 100);
-        supplied += std::abs(sim.state.ledger.net_input - before);
+        supplied += std::abs(sim.state.supply.net_input - before);
       }
       ASSERT_GT(supplied, 10.0);
-      EXPECT_NEAR(compute_energy(sim.system, sim.state).total(), sim.state.ledger.net_input, 1e-4 * supplied) << is_ball << ' ' << leak;
+      EXPECT_NEAR(compute_energy(sim.system, sim.state).total(), sim.state.supply.net_input, 1e-4 * supplied) << is_ball << ' ' << leak;
     }
 }
 

@@ -66,7 +66,8 @@ OrderedRun run_in(Numbering numbering, const TestSim& sim, const Settings& setti
     while (!frame.done()) frame.substep(plan);
     frame.end(plan, run.state);
     run.broken.insert(run.broken.end(), frame.broken().begin(), frame.broken().end());
-    run.work += frame.motion().hand_work + frame.motion().collider_work + frame.motion().force_work + frame.motion().contact_work;
+    run.work += frame.motion().energy[EnergyCause::Hand] + frame.motion().energy[EnergyCause::Colliders] + frame.motion().energy.forces() +
+                frame.motion().energy[EnergyCause::Contact];
     run.has_touched = run.has_touched || frame.has_touched();
   }
   std::ranges::sort(run.broken);

@@ -249,7 +249,7 @@ TEST_P(RestAngleMethods, AgreeOnAFoldedStripThatVibrates) {
 
 TEST_P(RestAngleMethods, AreStableWithinTheirLimit) {
   TestSim sim = stretched_strip(0.002);
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   const double limit = largest_stable_step(method(), bound_spectrum(sim.system));
   if (limit == 0.0) return;  // amplifies undamped motion at any step, and the springs are undamped
   const int substeps = std::isfinite(limit) ? static_cast<int>(std::ceil(2.0 / 60.0 / limit)) : 1;
@@ -279,12 +279,12 @@ TEST(RestAngle, EnergyIsConservedToTheOrderOfTheMethod) {
 
 TEST(RestAngle, TheLedgerAccountsForTheWorkOfTheDashpots) {
   TestSim sim = stretched_strip(0.02);
-  initialize_ledger(sim.system, sim.state);
+  initialize_supply(sim.system, sim.state);
   const double start = compute_energy(sim.system, sim.state).total();
   sim.run(velocity_verlet, 1.0, 8000);
   const double end = compute_energy(sim.system, sim.state).total();
   EXPECT_LT(end, 0.7 * start);
-  EXPECT_NEAR(end, sim.state.ledger.net_input, 1e-3 * (start - end));
+  EXPECT_NEAR(end, sim.state.supply.net_input, 1e-3 * (start - end));
 }
 
 }  // namespace

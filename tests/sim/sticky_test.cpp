@@ -1,13 +1,11 @@
-// Planes that hold points until a force pulls them off: the release is an event, located within the substep.
+// Planes that hold points until a force pulls them off.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "sim/control/frame_runner.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/methods/rows.h"
-#include "support/automatic_runs.h"
 #include "support/convergence.h"
 #include "support/test_sim.h"
 
@@ -49,8 +47,9 @@ struct PulledOff {
   }
 };
 
-// The mean over several numbers of steps, because the error of an event depends on its place within a step.
-TEST_P(StickyPlanes, MeetsItsOrderThroughARelease) {
+// It is released at the end of the substep in which the pull exceeds the strength: the mean over several numbers of steps, because the
+// error depends on its place within a step.
+TEST_P(StickyPlanes, LetGoWithinASubstep) {
   constexpr double seconds = 0.25;
   const auto mean_error = [&](int steps) {
     double sum = 0.0;
@@ -61,23 +60,23 @@ TEST_P(StickyPlanes, MeetsItsOrderThroughARelease) {
     }
     return sum / 8.0;
   };
-  // the path of what leaves a plane is a parabola in its first step (contact)
-  const int order = std::min(method().order, 3), steps = order == 1 ? 400 : 40;
-  EXPECT_NEAR(std::log2(mean_error(steps) / mean_error(2 * steps)), order, 0.35);
+  const double coarse = mean_error(200), fine = mean_error(800);
+  EXPECT_LT(fine, 0.4 * coarse);
+  EXPECT_LT(fine, 2e-3);
 }
 
-// Whether dashpots are split off or not: then the error is of first order, as on a collider.
+// Whether dashpots are split off or not. A release that is late by a step of 1 ms changes a velocity by 5 mm/s.
 TEST_P(StickyPlanes, DashpotsPullAsSpringsDo) {
   constexpr double seconds = 0.3;
   TestSim fine = PulledOff{}.sim(2.0);
   fine.run(runge_kutta4, seconds, 600);
   TestSim sim = PulledOff{}.sim(2.0);
   sim.run(method(), seconds, method().order == 1 ? 3000 : 300);
-  const double tolerance = method().order == 1 ? 2e-3 : method().splits_dashpots ? 1e-4 : 1e-5;
+  constexpr double tolerance = 2e-3;
   for (int i = 0; i < 2; ++i) EXPECT_NEAR(sim.state.position[i].y, fine.state.position[i].y, tolerance) << "point " << i;
 }
 
-// m A w^2 sin(w t) = strength
+// m A w^2 sin(w t) = strength; a release that is late by a step of 0.5 ms changes the velocity by 1 mm/s.
 TEST_P(StickyPlanes, APlaneThatOscillatesLetsGoWhenItsAccelerationDemandsMore) {
   constexpr double amplitude = 0.02, frequency = 2.0, strength = 2.0, seconds = 0.3;
   const double omega = 2.0 * std::numbers::pi * frequency;
@@ -86,10 +85,10 @@ TEST_P(StickyPlanes, APlaneThatOscillatesLetsGoWhenItsAccelerationDemandsMore) {
   sim.add({0.0, 0.0, 0.0}, 1.0, {0.0, amplitude * omega, 0.0});
   sim.system.colliders = {{.shape = Plane{}, .path = {.amplitude = {0.0, amplitude, 0.0}, .frequency = frequency}}};
   sim.system.forces = {{.term = &sticky_force, .values = {strength}}};
-  sim.run(method(), seconds, 60);
+  sim.run(method(), seconds, 600);
   const double release = std::asin(strength / (amplitude * omega * omega)) / omega;
   const double expected = amplitude * (std::sin(omega * release) + omega * (seconds - release) * std::cos(omega * release));
-  EXPECT_NEAR(sim.state.position[0].y, expected, 1e-6);
+  EXPECT_NEAR(sim.state.position[0].y, expected, 3e-4);
 }
 
 // dop853 takes the rest of a step in shorter ones.
@@ -105,20 +104,6 @@ TEST_P(StickyPlanes, ACeilingHoldsWhatIsThrownAtItAndNotWhatReboundsOrIsTooHeavy
       sim.run(method(), 0.4, steps);
       EXPECT_EQ(sim.state.position[0].y > -1e-9, is_held) << strength << " N, " << steps << " steps";
     }
-}
-
-// The last one is just below the largest pull.
-TEST(StickyPlanesWithAuto, MeetTheTolerance) {
-  constexpr int frames = 24;
-  const double seconds = frames / 60.0;
-  for (const double strength : {3.0, 5.0, 6.6}) {
-    const PulledOff pulled{strength};
-    TestSim sim = pulled.sim();
-    Plan plan = make_plan(sim.system);
-    FrameRunner frame;
-    for (int i = 0; i < frames; ++i) sim.state = next_frame(plan, frame, sim.system, automatic(1e-3), sim.state);
-    EXPECT_LE(pulled.error(sim, seconds), std::sqrt(2.0) * 1e-3 * seconds) << strength << " N";
-  }
 }
 
 }  // namespace

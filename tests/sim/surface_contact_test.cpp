@@ -110,7 +110,7 @@ TEST(SurfaceContact, AddsNoEnergyAndBooksWhatItRemoves) {
       run.begin(plan, sim.system, {.integrator = &verlet(), .frame_rate = 60, .substeps = 100}, sim.state);
       while (!run.done()) run.substep(plan);
       run.end(plan, sim.state);
-      booked += run.motion().contact_work;
+      booked += run.motion().energy[EnergyCause::Contact];
       EXPECT_LT(energy(sim), lowest + 1e-3 * start) << i;
       lowest = std::min(lowest, energy(sim));
     }

@@ -36,7 +36,7 @@ FoldsOnThreads fold_on_threads(TestSim sim, int frames, int substeps, int thread
     while (!frame.done()) frame.substep(plan);
     frame.end(plan, sim.state);
     if (ms != nullptr) (*ms)[static_cast<std::size_t>(3 * i / frames)] += (real_ms() - start) / (frames / 3);
-    outcome.work += frame.motion().contact_work + frame.motion().hand_work;
+    outcome.work += frame.motion().energy[EnergyCause::Contact] + frame.motion().energy[EnergyCause::Hand];
     outcome.tests += frame.motion().contact_tests;
     outcome.impulses += frame.motion().contact_impulses;
   }

@@ -39,7 +39,7 @@ OutcomeOnThreads run_on_threads(const TestSim& sim, const Integrator& method, in
   frame.end(plan, state);
   outcome.hash = hash_state(state);
   outcome.broken = frame.broken().size();
-  outcome.work = frame.motion().contact_work + frame.motion().collider_work;
+  outcome.work = frame.motion().energy[EnergyCause::Contact] + frame.motion().energy[EnergyCause::Colliders];
   outcome.force_evaluations = frame.force_evaluations();
   outcome.has_touched = frame.has_touched();
   return outcome;

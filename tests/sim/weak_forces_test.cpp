@@ -48,7 +48,7 @@ WindRun run_in_wind(const TestSim& start, int frames, const Settings& settings) 
     result.state = next_frame(plan, frame, start.system, settings, result.state);
     result.evaluations += frame.motion().force_evaluations;
     result.sweeps += frame.motion().dashpot_sweeps;
-    result.work += frame.motion().force_work;
+    result.work += frame.motion().energy.forces();
   }
   return result;
 }

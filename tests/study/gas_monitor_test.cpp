@@ -21,7 +21,7 @@ TEST_P(GasMonitor, DoesNotMistakeTheWorkOfTheGasForAnError) {
       TestNetwork network;
       network.system = sim.system;
       network.state = sim.state;
-      initialize_ledger(network.system, network.state);
+      initialize_supply(network.system, network.state);
       const Settings settings = settings_for(method(), network.system, {.min = 20, .free = 100, .fraction = 0.1, .max = 3000});
       if (settings.substep() > largest_stable_step(method(), bound_spectrum(network.system))) continue;
       MonitoredRun run(network, settings);

@@ -21,17 +21,16 @@ std::string warning_after(std::initializer_list<MeasuredFrame> frames) {
   network.system.gravity = Vec3(0.0);
   network.system.drag = 1000.0;  // which would explain any loss
   network.add(Vec3(0.0), 1.0, {1.0, 0.0, 0.0});
-  initialize_ledger(network.system, network.state);
+  initialize_supply(network.system, network.state);
   const Settings settings{.integrator = find_integrator("runge_kutta4")};
   const Plan plan = make_plan(network.system);
   State state = network.state;
   RunMonitor monitor(plan, settings, network.system, state, 0);
   for (const MeasuredFrame& frame : frames) {
     Motion motion;
-    motion.contact_work = frame.contact_work;
-    motion.dashpot_work = frame.dashpot_work;
-    motion.limit_gain = frame.limit;
-    state.ledger.net_input += frame.limit;
+    motion.energy[EnergyCause::Contact] = frame.contact_work;
+    motion.energy[EnergyCause::Dashpots] = frame.dashpot_work;
+    motion.energy[EnergyCause::StrainLimit] = frame.limit;
     monitor.begin_frame(network.system, settings, state);
     state.velocity[0].x = frame.speed;
     state.time += 1.0 / settings.frame_rate;

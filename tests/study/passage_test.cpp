@@ -26,7 +26,7 @@ TestNetwork network_of_fall(const Fall& fall) {
   network.system.gravity = Vec3(0.0);
   network.add(Vec3(-fall.distance, 0.003 * fall.distance, 0.0), 1.0, fall.velocity);
   network.system.forces = {force_with("center", {{"strength", fall.strength}, {"power", fall.power}, {"core", fall.core}})};
-  initialize_ledger(network.system, network.state);
+  initialize_supply(network.system, network.state);
   return network;
 }
 
@@ -114,7 +114,7 @@ TestNetwork network_above_plane(double strength, double power, double core, doub
   network.system.colliders = {{.shape = Plane{}, .restitution = restitution}};
   network.add({0.0, height, 0.0}, 1.0, {0.1, -0.3, 0.0});
   network.system.forces = {force_with("wall", {{"strength", strength}, {"power", power}, {"core", core}})};
-  initialize_ledger(network.system, network.state);
+  initialize_supply(network.system, network.state);
   return network;
 }
 

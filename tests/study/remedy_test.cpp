@@ -298,7 +298,7 @@ TEST(Remedy, IsNeverASettingThatGainsMoreEnergyThanWasSupplied) {
   bar.system.gravity = {0.0, -0.094, 0.0};
   bar.system.contact = {.points = true, .restitution = 0.41, .friction = 2.0};
   bar.system.forces = {force_with("wind", {{"x", -12.0}, {"y", -2.5}})};
-  initialize_ledger(bar.system, bar.state);
+  initialize_supply(bar.system, bar.state);
   const Scene scene = scene_of(std::move(bar), "symplectic_euler", 5);
   ASSERT_FALSE(runs_through(scene, 0.5));
   const Remedy remedy = find_remedy(scene, 0.5, never);
@@ -310,7 +310,7 @@ TEST(Remedy, IsNeverASettingThatGainsMoreEnergyThanWasSupplied) {
     double gain = 0.0;
     for (int frame = 0; frame < 30 && lab.step(); ++frame) {
       const State& state = lab.scene().state;
-      gain = std::max(gain, (compute_energy(lab.scene().system, state).total() - state.ledger.net_input) / state.ledger.scale);
+      gain = std::max(gain, (compute_energy(lab.scene().system, state).total() - state.supply.net_input) / state.supply.scale);
     }
     return gain;
   };

@@ -42,7 +42,7 @@ TestNetwork random_scene(std::uint64_t seed) {
     for (std::size_t i = 0; i < term.numbers.size(); ++i) force.values[i] *= random.uniform(0.5, 3.0);
     network.system.forces.push_back(force);
   }
-  initialize_ledger(network.system, network.state);
+  initialize_supply(network.system, network.state);
   return network;
 }
 
@@ -133,7 +133,7 @@ TEST(RunMonitor, DoesNotWarnAboutForcesFasterThanASubstep) {
     pull.values[3] = random.uniform(0.0, 1000.0);
     pull.values[4] = 1000.0 * std::pow(10.0, -random.uniform(0.0, 3.0));
     network.system.forces = {pull};
-    initialize_ledger(network.system, network.state);
+    initialize_supply(network.system, network.state);
     const State exact = exact_end(network, seconds);
     for (const char* id : {"dop853", "implicit_midpoint", "tr_bdf2", "esdirk4", "implicit_euler"}) {
       MonitoredRun run(network, {.integrator = find_integrator(id), .substeps = 20});
@@ -153,7 +153,7 @@ TEST(RunMonitor, DoesNotCallTheOscillationOfASymplecticMethodAGain) {
   network.add({0.72, 0.49, 0.0}, 0.1418, {18.8, -18.6, 0.0});
   const ForceTerm& term = *find_force_term("mass_center");
   network.system.forces = {{.term = &term, .values = {0.7, 0.0, 0.0, 817.0, 6.2}}};
-  initialize_ledger(network.system, network.state);
+  initialize_supply(network.system, network.state);
   MonitoredRun run(network, {.integrator = find_integrator("symplectic_euler"), .substeps = 20});
   run.run(1.0);
   EXPECT_LT(run.monitor().energy_rise(), 2e-3);
@@ -173,10 +173,10 @@ TEST(RunMonitor, FindsTheSameRiseInALargeNetAsFromStatesThatAreKept) {
     if (i % n != n - 1) net.join(points[i], points[i + 1], 100.0, 0.1);
     if (i < n * (n - 1)) net.join(points[i], points[i + n], 100.0, 0.1);
   }
-  initialize_ledger(net.system, net.state);
+  initialize_supply(net.system, net.state);
   for (const char* method : {"velocity_verlet", "symplectic_euler"}) {
     MonitoredRun run(net, {.integrator = find_integrator(method), .substeps = 1});
-    const auto energy = [&] { return compute_energy(run.system(), run.state()).total() - run.state().ledger.net_input; };
+    const auto energy = [&] { return compute_energy(run.system(), run.state()).total() - run.state().supply.net_input; };
     const Plan plan = make_plan(run.system());
     const auto difference = [&](const State& state) {
       Motion motion;
@@ -195,7 +195,7 @@ TEST(RunMonitor, FindsTheSameRiseInALargeNetAsFromStatesThatAreKept) {
     }
     EXPECT_GT(raw, 0.0) << method;
     EXPECT_LT(rise, raw);
-    EXPECT_EQ(run.monitor().energy_rise(), rise / run.state().ledger.scale) << method;
+    EXPECT_EQ(run.monitor().energy_rise(), rise / run.state().supply.scale) << method;
   }
 }
 
@@ -216,7 +216,7 @@ TEST(RunMonitor, RarelyWarnsAboutNetsAtTheRecommendedStep) {
           const double length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) * random.uniform(0.7, 1.3);
           network.join(network.system.points()[i].id, network.system.points()[j].id, 1e3 * random.uniform(0.3, 3.0), length);
         }
-      initialize_ledger(network.system, network.state);
+      initialize_supply(network.system, network.state);
       MonitoredRun run(network, settings_for(*find_integrator(id), network.system, {.min = 1, .fraction = 0.25, .max = 5000}));
       run.run(3.0);
       EXPECT_FALSE(run.stopped());
@@ -236,7 +236,7 @@ TEST(RunMonitor, DoesNotWarnAboutAWindThatSetsTheSceneInMotion) {
     network.system.gravity = Vec3(0.0);
     network.system.drag = 0.6;
     network.system.wind = {-4.0, 0.0, 1.0};
-    initialize_ledger(network.system, network.state);
+    initialize_supply(network.system, network.state);
     MonitoredRun run(network, {.integrator = &method, .substeps = 20});
     run.run(2.0);
     EXPECT_FALSE(run.stopped()) << method.id;
@@ -257,7 +257,7 @@ TEST(RunMonitor, DoesNotWarnAboutAHandInAPullOfTheCenterOfMass) {
     pull.values[4] = 0.0;
     network.system.forces = {pull};
     network.system.scripted_hand = ScriptedHand{.point = held, .from = Vec3(0.0), .center = {0.4, 0.0, 0.0}, .speed = 2.0, .seconds = 2.0};
-    initialize_ledger(network.system, network.state);
+    initialize_supply(network.system, network.state);
     MonitoredRun run(network, {.integrator = find_integrator("velocity_verlet"), .substeps = 100});
     run.run(1.5);
     EXPECT_FALSE(run.stopped());
@@ -275,7 +275,7 @@ TEST(RunMonitor, DoesNotCallTheBrakingOfFastPointsByStillAirAGain) {
       const PointId point = network.add(Vec3(0.0), 1e-3, {speed, 0.0, 0.0});
       network.system.point(network.index(point)).radius = 0.5;
       network.system.forces = {force_with("wind", {{"x", 0.0}, {"z", 0.0}})};
-      initialize_ledger(network.system, network.state);
+      initialize_supply(network.system, network.state);
       MonitoredRun run(network, {.integrator = find_integrator(id), .substeps = 5});
       run.run(0.5);
       EXPECT_FALSE(run.stopped()) << id << " at " << speed << " m/s";
@@ -295,7 +295,7 @@ TEST(RunMonitor, DoesNotCallThePushOutOfAColliderAgainstAForceAGain) {
                                  ? force_with(force, {{"y", -3.0}, {"strength", 10.0}, {"power", 0.0}})
                                  : force_with(force, {{"y", -3.0}, {"stiffness", 10.0}, {"damping", 0.0}})};
     network.system.colliders = {{.shape = Plane{}}};
-    initialize_ledger(network.system, network.state);
+    initialize_supply(network.system, network.state);
     for (const char* id : {"velocity_verlet", "dop853"}) {
       MonitoredRun run(network, {.integrator = find_integrator(id), .substeps = 20});
       run.run(0.5);
@@ -311,7 +311,7 @@ TEST(RunMonitor, WarnsAboutALossThatIsNotThatOfDragDashpotsContactOrForces) {
     TestNetwork network;
     const SpringId spring = network.join(network.nail(Vec3(0.0)), network.add({1.0, 0.0, 0.0}), 1e4, 1.0);
     add(network, spring);
-    initialize_ledger(network.system, network.state);
+    initialize_supply(network.system, network.state);
     MonitoredRun run(network, {.integrator = find_integrator("implicit_euler"), .substeps = 1});
     run.run(4.0);
     const auto warnings = run.monitor().warnings({});
@@ -357,7 +357,7 @@ TEST(RunMonitor, NamesTheLossOfARunThatAlsoGainsEnergy) {
   TestNetwork network;
   network.system.gravity = Vec3(0.0);
   network.add(Vec3(0.0), 1.0, {1.0, 0.0, 0.0});
-  initialize_ledger(network.system, network.state);
+  initialize_supply(network.system, network.state);
   const Settings settings{.integrator = find_integrator("runge_kutta4")};
   const Plan plan = make_plan(network.system);
   const auto warning_after = [&](std::initializer_list<double> speeds) {
@@ -385,7 +385,7 @@ TEST(RunMonitor, WritesPercentagesWithoutExponents) {
     RunMonitor monitor(lab.plan(), scene.settings, scene.system, scene.state, 0);
     lab.step();
     State after = lab.scene().state;
-    for (Vec3& v : after.velocity) v = {std::sqrt(factor * after.ledger.scale), 0.0, 0.0};
+    for (Vec3& v : after.velocity) v = {std::sqrt(factor * after.supply.scale), 0.0, 0.0};
     monitor.end_frame(lab.plan(), scene.settings, scene.system, after, lab.last_frame().motion());
     const std::vector<std::string> warnings = monitor.warnings({});
     ASSERT_EQ(warnings.size(), 1u);

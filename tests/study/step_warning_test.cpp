@@ -36,7 +36,7 @@ struct Outcome {
 };
 
 Outcome outcome_of(TestNetwork network, const Settings& settings) {
-  initialize_ledger(network.system, network.state);
+  initialize_supply(network.system, network.state);
   MonitoredRun run(network, settings);
   run.run(0.2);
   return {run.stopped() || run.monitor().energy_rise() > 0.1, step_warning(network.system, network.state, settings).has_value()};

@@ -13,7 +13,7 @@ namespace hooke {
 inline bool always() { return true; }
 
 inline Problem problem_of(InitialState start, double seconds) {
-  initialize_ledger(start.system, start.state);
+  initialize_supply(start.system, start.state);
   return {.id = "problem", .title = "a problem", .system = std::move(start.system), .start = std::move(start.state), .seconds = seconds};
 }
 
@@ -25,7 +25,7 @@ inline Problem net_in_motion(double seconds) {
   problem.start = benchmark.run(*find_integrator("dop853"), {.tolerance = 1e-13}, always).snapshots.back();
   problem.start.time = 0.0;
   problem.start.memory = {};
-  initialize_ledger(problem.system, problem.start);
+  initialize_supply(problem.system, problem.start);
   problem.seconds = seconds;
   return problem;
 }

@@ -143,7 +143,7 @@ class EngineRun {
         words_(words_of(request.command)),
         shown_("--engine \"" + printable(request.command, 80) + "\": ") {
     check();
-    initialize_ledger(scene.system, scene.state);
+    initialize_supply(scene.system, scene.state);
     start_ = scene.state;
     frames_ = count_frames(request.run.seconds, scene.settings.frame_rate);
   }

@@ -37,15 +37,15 @@ Inverse GoToState::apply(Scene& scene, Effect& effect) const {
   if (!fits(target.position) || !fits(target.velocity) || !std::isfinite(target.time) || target.torn > scene.tears.size()) return {};
   if (!is_finite(target.hand.position) || !is_finite(target.hand.target) || !is_valid(target.memory)) return {};
   const GoToState before{std::make_shared<const State>(scene.state)};
-  // the ledger and a carried collider belong to the present
-  const EnergyLedger ledger = scene.state.ledger;
+  // the supply and a carried collider belong to the present
+  const EnergySupply supply = scene.state.supply;
   const std::optional<CarriedCollider> carried = scene.state.hand.collider;
   Inverse inverse = apply_tears_until(target.torn, scene, effect);
   inverse.push_back(before);
   scene.state = target;
   for (std::vector<Vec3>* list : {&scene.state.position, &scene.state.velocity})
     for (Vec3& v : *list) v = in_plane(scene.system, v);
-  scene.state.ledger = ledger;
+  scene.state.supply = supply;
   scene.state.hand.collider = carried;
   scene.system.grab.reset();
   effect.values = effect.motion = true;

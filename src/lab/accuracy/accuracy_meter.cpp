@@ -63,7 +63,6 @@ void AccuracyMeter::restart() {
 
 void AccuracyMeter::note_edit() {
   is_edited_ = true;
-  energy_.note_edit();
   repetition_.cancel();
   second_runs_.note_edit();
 }
@@ -98,8 +97,8 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   has_broken_ = has_broken_ || !motion.breaks.empty();
   is_smooth_ = is_smooth_ && !touches_ && !ignores_tolerance_ && !has_broken_ && !plan.held && !plan.pull;
   is_aliased_ = is_aliased_ || !resolves_colliders(plan, settings_used(settings, after));
-  energy_.add_frame(plan, system, before, after, motion, energy);
-  energy_scale_ = after.ledger.scale;
+  energy_.add_frame(plan, before, after, motion, energy);
+  energy_scale_ = after.supply.scale;
   max_kinetic_ = std::max(max_kinetic_, kinetic_energy(system, after));
 
   ++frames_since_repetition_;
@@ -109,9 +108,8 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   if (is_due && motion.breaks.empty() && !repetition_.is_in_progress()) {
     const bool collapses = settings.integrator->stability != Stability::Adaptive && !is_automatic(settings) && can_collapse(system, before);
     collapses_ = collapses && !touches_;
-    repetition_.begin(plan, system, settings, before, after, energy, motion.force_evaluations,
+    repetition_.begin(plan, system, settings, before, after, motion.force_evaluations,
                       (touches_ || collapses_) && repetitions_++ % order_period == 0);
-    energy_.begin_repetition();
     frames_since_repetition_ = 0;
     is_edited_ = false;
   }
@@ -124,7 +122,6 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
 void AccuracyMeter::repeat(const System& system) {
   repetition_.substep(system);
   if (repetition_.is_in_progress() || !repetition_.result()) return;
-  energy_.set_numerical_gain(repetition_.result()->numerical_gain);
   if (const auto& refinement = repetition_.result()->refinement) {
     constexpr double kept = 0.5;
     if (!refinement_) refinement_.emplace();
@@ -158,8 +155,10 @@ void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
 
 bool AccuracyMeter::is_damped_by_method() const {
   const EnergyBalance& balance = energy_.balance();
-  const double by_scene = -(balance.drag + balance.dashpots + balance.contact + std::min(0.0, balance.forces));
-  return -balance.method > std::max(max_dissipated_part * max_kinetic_, by_scene);
+  using enum EnergyCause;
+  const EnergyLedger& ledger = balance.ledger;
+  const double by_scene = -(ledger[Drag] + ledger[Dashpots] + ledger[Contact] + std::min(0.0, ledger.forces()));
+  return -balance.method() > std::max(max_dissipated_part * max_kinetic_, by_scene);
 }
 
 void AccuracyMeter::measure_run(Accuracy& accuracy) const {

@@ -41,14 +41,14 @@ std::string largest_error_text(const Accuracy& accuracy) {
 constexpr double max_energy_error = 0.02;
 
 bool has_wrong_energy(const Accuracy& accuracy) {
-  return accuracy.energy_scale > 0.0 && !(std::abs(accuracy.energy.method) <= max_energy_error * accuracy.energy_scale);
+  return accuracy.energy_scale > 0.0 && !(std::abs(accuracy.energy.method()) <= max_energy_error * accuracy.energy_scale);
 }
 
 // What can be said where the positions cannot be predicted.
 std::string meaning_of_averages(const Accuracy& accuracy) {
   if (!has_wrong_energy(accuracy)) return "only averages are meaningful";
-  return "not even averages are meaningful, because the method has " + std::string(accuracy.energy.method < 0.0 ? "lost " : "gained ") +
-         number_text(100.0 * std::abs(accuracy.energy.method) / accuracy.energy_scale, 2) + " % of the energy supplied";
+  return "not even averages are meaningful, because the method has " + std::string(accuracy.energy.method() < 0.0 ? "lost " : "gained ") +
+         number_text(100.0 * std::abs(accuracy.energy.method()) / accuracy.energy_scale, 2) + " % of the energy supplied";
 }
 
 // A tolerance with which the error would be about a hundredth of the motion: one digit, within the range of the slider. None helps much

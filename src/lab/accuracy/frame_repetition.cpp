@@ -1,11 +1,9 @@
 #include "lab/accuracy/frame_repetition.h"
 
-#include "sim/forces/energy/energy.h"
-
 namespace hooke {
 
 void FrameRepetition::begin(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after,
-                            double energy, long evaluations, bool measures_order) {
+                            long evaluations, bool measures_order) {
   run_.set_plan(plan);
   run_.limit_cost(evaluations);
   run_.start(before);
@@ -13,7 +11,6 @@ void FrameRepetition::begin(const Plan& plan, const System& system, const Settin
   run_.begin_frame(system, repetition.settings, before.time, before.hand);
   end_ = after.position;
   time_ = after.time;
-  energy_ = energy;
   weight_ = repetition.weight;
   by_half_.reset();
   before_.reset();
@@ -33,9 +30,7 @@ void FrameRepetition::substep(const System& system) {
   result_.reset();
   has_failed_ = run_.failed();
   if (has_failed_) return;
-  result_ = Result{.error = weighted_distance(system, end_, run_.state().position, weight_),
-                   .time = time_,
-                   .numerical_gain = weight_ * (energy_ - compute_energy(system, run_.state()).total())};
+  result_ = Result{.error = weighted_distance(system, end_, run_.state().position, weight_), .time = time_};
   if (!before_) return;
   by_half_ = result_->error.rms / weight_;
   end_ = run_.state().position;

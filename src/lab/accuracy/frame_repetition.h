@@ -1,4 +1,4 @@
-// Repeats one frame of a run with half the step: the error of that frame, in positions and in energy. And, where it is asked for, with a
+// Repeats one frame of a run with half the step: the error of that frame. And, where it is asked for, with a
 // quarter of the step: the order with which the error falls.
 #pragma once
 
@@ -19,13 +19,12 @@ class FrameRepetition {
   struct Result {
     FrameError error;
     double time = 0.0;                            // [s], at the end of the frame
-    double numerical_gain = 0.0;                  // [J], by the method in this frame
     std::optional<FrameRefinement> refinement{};  // if it was asked for
   };
 
-  // The frame that led from `before` to `after` by `evaluations` of the forces; `energy` [J] is that of `after`, `plan` that of `system`.
-  void begin(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after, double energy,
-             long evaluations, bool measures_order);
+  // The frame that led from `before` to `after` by `evaluations` of the forces; `plan` is that of `system`.
+  void begin(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after, long evaluations,
+             bool measures_order);
   // Computes a substep; with the last one there is a result, unless the method found no step, or took too many.
   void substep(const System& system);
   bool is_in_progress() const { return run_.is_in_frame(); }
@@ -40,7 +39,7 @@ class FrameRepetition {
  private:
   ShadowRun run_;
   std::vector<Vec3> end_;
-  double weight_ = 1.0, time_ = 0.0, energy_ = 0.0;
+  double weight_ = 1.0, time_ = 0.0;
   std::optional<Result> result_;
   bool has_failed_ = false;
   std::optional<State> before_;  // of a frame that is to be repeated with a quarter of the step, too

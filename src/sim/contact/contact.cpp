@@ -25,7 +25,7 @@ Vec3 vector_at(const Field& field, std::size_t n, std::size_t i, int dimensions)
 // [J], that moved points out of colliders: the difference of the energy with and without these displacements.
 double push_work(const Plan& plan, const ContactWorkspace& before, double h, Motion& motion) {
   const auto n = static_cast<std::size_t>(plan.points);
-  const double middle = before.time + 0.5 * h;  // as in ForceWork
+  const double middle = before.time + 0.5 * h;  // as in PowerWork
   const double energy = potential_energy(plan, middle, motion.x);
   for (const ContactWorkspace::Pushed& each : before.pushed)
     for (int c = 0; c < plan.dimensions; ++c) motion.x[c * n + each.point] -= each.displacement[c];
@@ -50,13 +50,6 @@ double lag_energy(const Plan& plan, const ContactWorkspace& before, const Field&
 // changes on the way. Impulses act at the velocity that belongs to the position (surface_step.cpp).
 double energy_of_limited(const Plan& plan, const ContactWorkspace& before, double h, const Motion& motion) {
   return mechanical_energy(plan, before.time + 0.5 * h, motion) + lag_energy(plan, before, motion.v);
-}
-
-// Contact moves points back where the strain limit has moved them away. `gained`: by contact [J].
-void cancel_work_of_limit(const ContactWorkspace& before, double gained, Motion& motion) {
-  const double canceled = canceled_work(gained, before.limit_work);
-  motion.limit_work += canceled;
-  motion.contact_work -= canceled;
 }
 
 // In a fixed order, as eight sums side by side.
@@ -236,7 +229,7 @@ void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
     before.first_impact = std::min(before.first_impact, touches[part].first_impact);
   }
   const double pushed = before.pushed.empty() ? 0.0 : push_work(plan, before, h, motion);
-  motion.collider_work += pushed;
+  motion.energy.add(EnergyCause::Colliders, pushed);
   if (before.is_limited) work = energy_of_limited(plan, before, h, motion) - pushed - energy;
   before.contact_work = book_contact_work(work, {.by_colliders = supplied}, motion);
 }
@@ -249,12 +242,10 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   before.first_touch = before.first_impact = std::numeric_limits<double>::infinity();
   before.pushed.clear();
   before.pushed.reserve(n);
-  const double contact_work = motion.contact_work;  // [J], in the frame so far
   if (before.velocity_lag != 0.0 && plan.colliders_move) follow_planes(plan, before, h, motion);
   keep_on_planes(plan, before.time + h, motion);
   if (plan.surface.on)
-    before.surface.begin_substep(plan, before.velocity_lag, before.kicks_last, before.is_limited ? &before.unlimited_v : nullptr,
-                                 before.damping, motion);
+    before.surface.begin_substep(plan, before.velocity_lag, before.kicks_last, before.is_limited ? &before.unlimited_v : nullptr, motion);
   const double energy = plan.pairs.on && before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
   bool touched = plan.pairs.on && before.pairs.resolve(plan, obstacles, before.x, before.v, h, motion);
   if (touched) {
@@ -264,13 +255,11 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     before.first_impact = before.pairs.first_impact();
   }
   resolve_points(plan, obstacles, before, motion, h, touched);
-  if (touched && !before.is_limited) before.damping.end_point_contact(plan, h, motion);
   const std::span<const PointPair> near = plan.pairs.on ? before.pairs.near() : std::span<const PointPair>();
   if (plan.surface.on && before.surface.resolve(plan, obstacles, near, before.x, before.v, h, motion)) {
     touched = true;
     before.first_touch = 0.0;
   }
-  if (before.is_limited) cancel_work_of_limit(before, motion.contact_work - contact_work, motion);
   return touched;
 }
 
@@ -278,10 +267,9 @@ bool limit_strain(const Plan& plan, ContactWorkspace& before, Motion& motion) {
   before.is_limited = false;
   if (plan.max_length.empty()) return false;
   if (before.velocity_lag != 0.0 || plan.has_contact()) before.unlimited_v = motion.v;
-  const double work = motion.limit_work;
   before.is_limited = limit_strain(plan, motion);
-  if (before.is_limited) motion.limit_work += lag_energy(plan, before, motion.v) - lag_energy(plan, before, before.unlimited_v);
-  before.limit_work = motion.limit_work - work;
+  if (before.is_limited)
+    motion.energy.add(EnergyCause::StrainLimit, lag_energy(plan, before, motion.v) - lag_energy(plan, before, before.unlimited_v));
   return before.is_limited;
 }
 

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "sim/contact/damping_work.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_solver.h"
 #include "sim/contact/resting_kernel.h"
@@ -24,7 +23,6 @@ struct ContactWorkspace {
   // Velocities at the end of the substep before the strain limit changed them, if it did: what it changes is no work of forces.
   Field unlimited_v;
   bool is_limited = false;
-  double limit_work = 0.0;  // [J], of the strain limit in the substep
   std::vector<Obstacle> obstacles;
   // [s], since the start of the substep, when the first point touched something, and when the first had an impact; infinity: none did
   double first_touch = 0.0, first_impact = 0.0;
@@ -48,7 +46,6 @@ struct ContactWorkspace {
   std::vector<Block> blocks;
   PairSolver pairs;
   SurfaceSolver surface;
-  DampingWork damping;
   // Points may have been edited.
   void begin_frame() {
     pairs.begin_frame();
@@ -64,9 +61,9 @@ struct ContactWorkspace {
 // passes through at any speed; a point that starts inside is moved to the surface; if all remaining bounces fall within the
 // step, it comes to rest; resting points keep their bits. All of this is relative to moving colliders, whose positions at
 // both ends of the step are exact, with parabolas between them; their work on the points is added to
-// motion.collider_work, and so is the work of moving out points that start inside. A point sliding on several surfaces is carried by their
-// mean velocity, weighted by friction. Points that may touch others within the step are left to the PairSolver. Returns whether anything
-// touched.
+// the ledger as that of colliders, and so is the work of moving out points that start inside. A point sliding on several surfaces is
+// carried by their mean velocity, weighted by friction. Points that may touch others within the step are left to the PairSolver. Returns
+// whether anything touched.
 //
 // `before` says whether the strain limit has changed the velocities of `motion`.
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h);

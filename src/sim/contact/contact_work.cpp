@@ -4,42 +4,16 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/forces/energy/plan_energy.h"
-
 namespace hooke {
 
 double book_contact_work(double work, const SuppliedWork& bounds, Motion& motion) {
   const double by_hand = std::clamp(work, -bounds.by_hand, bounds.by_hand);
   const double by_colliders = std::clamp(work - by_hand, -bounds.by_colliders, bounds.by_colliders);
-  motion.hand_work += by_hand;
-  motion.abs_hand_work += std::abs(by_hand);
-  motion.collider_work += by_colliders;
   const double rest = work - by_hand - by_colliders;
-  motion.contact_work += rest;
+  motion.energy.add(EnergyCause::Hand, by_hand);
+  motion.energy.add(EnergyCause::Colliders, by_colliders);
+  motion.energy.add(EnergyCause::Contact, rest);
   return rest;
-}
-
-double canceled_work(double first, double second) {
-  return first * second < 0.0 ? std::copysign(std::min(std::abs(first), std::abs(second)), first) : 0.0;
-}
-
-double kinetic_energy(const Plan& plan, const Field& v) {
-  double energy = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c)
-    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
-      if (plan.inverse_mass[i] != 0.0) energy += 0.5 * plan.mass[i] * v[at] * v[at];
-  return energy;
-}
-
-double potential_energy(const Plan& plan, double time, const Field& x) {
-  double energy = stored_energy(plan, x);
-  for (const Force& force : plan.forces)
-    if (force.term->potential != nullptr) energy += force.term->potential(plan, force.values, time, x.data());
-  return energy;
-}
-
-double mechanical_energy(const Plan& plan, double time, const Motion& motion) {
-  return kinetic_energy(plan, motion.v) + potential_energy(plan, time, motion.x);
 }
 
 double held_speed(const Plan& plan, const Motion& motion) {

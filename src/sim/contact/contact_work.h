@@ -16,17 +16,6 @@ struct SuppliedWork {
 // Without the bounds, the energy that an unstable motion gains where something moves would count as supplied. Returns the rest.
 double book_contact_work(double work, const SuppliedWork& bounds, Motion& motion);
 
-// What one supplies and another takes in the same substep is work of neither: the part of the work of the first [J] that the second
-// cancels.
-double canceled_work(double first, double second);
-
-// [J], of the free points.
-double kinetic_energy(const Plan& plan, const Field& v);
-// [J], of springs, gravity and the potentials of the listed forces at this time.
-double potential_energy(const Plan& plan, double time, const Field& x);
-// The kinetic energy included.
-double mechanical_energy(const Plan& plan, double time, const Motion& motion);
-
 // [m/s], of the held point; 0 without one.
 double held_speed(const Plan& plan, const Motion& motion);
 

@@ -64,11 +64,6 @@ void compute_external_forces(const Plan& plan, double time, const Field& x, cons
   add_force_terms(plan, time, x, v, f);
 }
 
-double compute_external_forces_with_power(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
-  set_gravity(plan, f);
-  return add_force_terms_with_power(plan, time, x, v, f);
-}
-
 void add_inner_forces(const Plan& plan, double time, const Field& x, const Field* v, Field& f) {
   add_spring_forces(plan, x.data(), v != nullptr ? v->data() : nullptr, f.data());
   if (plan.pull) add_pull(plan, time, x, f);

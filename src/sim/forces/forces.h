@@ -19,8 +19,6 @@ void add_inner_forces(const Plan& plan, double time, const Field& x, const Field
 // f [N] of gravity, drag * wind and the listed forces: external to the network, for methods that treat springs and the hand's
 // pull as constraints.
 void compute_external_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
-// The same, and returns the power [W] of add_force_terms_with_power.
-double compute_external_forces_with_power(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
 // f [N] of gravity, drag * wind, springs with their dashpots and the hand's pull: everything but drag and the listed
 // forces.

@@ -64,4 +64,10 @@ double hand_power(const Plan& plan, const Motion& motion) {
   return glm::dot(force, vector_at(plan, motion.v, *plan.held));
 }
 
+void HandWork::add(const Plan& plan, Motion& motion, double h) const {
+  if (!plan.held && !plan.pull) return;
+  const double stored = energy_of_hand_alone(plan, motion) - stored_;
+  motion.energy.add(EnergyCause::Hand, 0.5 * h * (power_ + hand_power(plan, motion)) + stored);
+}
+
 }  // namespace hooke

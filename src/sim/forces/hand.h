@@ -16,4 +16,15 @@ double energy_of_hand_alone(const Plan& plan, const Motion& motion);
 // The power [W] of the force of the hand, without what it does to those.
 double hand_power(const Plan& plan, const Motion& motion);
 
+// The work of the hand from the construction on: by the trapezoidal rule for its power, but for what it stores by itself.
+class HandWork {
+ public:
+  HandWork(const Plan& plan, const Motion& motion) : power_(hand_power(plan, motion)), stored_(energy_of_hand_alone(plan, motion)) {}
+  // Adds it to the ledger, `h` [s] later.
+  void add(const Plan& plan, Motion& motion, double h) const;
+
+ private:
+  double power_, stored_;  // [W], [J], then
+};
+
 }  // namespace hooke

@@ -36,10 +36,8 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
   motion.memory = state.memory;
   motion.force_evaluations = motion.factorizations = motion.solves = motion.sweeps = motion.dashpot_sweeps = motion.unconverged_solves = 0;
   motion.contact_tests = motion.contact_impulses = motion.limit_sweeps = motion.crossings = 0;
-  motion.collider_work = motion.break_work = motion.limit_work = motion.hand_work = motion.abs_hand_work = motion.force_work = 0.0;
-  motion.local_error = motion.contact_work = motion.reversible_work = 0.0;
-  motion.drag_work = motion.dashpot_work = motion.limit_gain = 0.0;
-  motion.measures_damping = false;
+  motion.energy = {};
+  motion.local_error = 0.0;
   motion.breaks.clear();
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/forces/dashpots/dashpot_sweeps.h"
+#include "sim/model/energy_ledger.h"
 #include "sim/model/state.h"
 #include "sim/plan/plan.h"
 
@@ -29,8 +30,7 @@ struct Motion {
   enum class Forces { None, Unlisted, Open, Complete, External };
   Field forces;
   Forces contents = Forces::None;
-  // [W], of the listed forces, if External: times v, and times the velocity at which they were computed.
-  double power = 0.0, power_as_computed = 0.0;
+  double power = 0.0;  // [W], of the listed forces at (x, v), if External
   // Where contact has moved points since they were current: the first of them, and the one after the last. Then `a` is still current at the
   // points that no spring joins to these. Nowhere unless contact alone moved points, just after the step.
   struct Moved {
@@ -51,16 +51,7 @@ struct Motion {
   long contact_tests = 0, contact_impulses = 0;
   // at the start of the frame: edges that pass through faces, in flat scenes springs through each other, of those that contact keeps apart
   long crossings = 0;
-  // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
-  double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;
-  double limit_gain = 0.0;                      // [J], the part of limit_work that a strain limit cannot supply: an error
-  double contact_work = 0.0;                    // [J], of impacts and friction on colliders that do not move; negative: dissipated
-  double hand_work = 0.0, abs_hand_work = 0.0;  // [J], of the hand, and the sum of the magnitudes over the substeps
-  double force_work = 0.0;                      // [J], of the listed forces and moving air
-  double reversible_work = 0.0;                 // [J], the part of it that follows from potentials
-  // [J], by drag in air at rest and by dashpots, as far as measures_damping (forces/dashpots/damping_work.h)
-  double drag_work = 0.0, dashpot_work = 0.0;
-  bool measures_damping = false;
+  EnergyLedger energy;               // of drag and dashpots only as far as PowerWork measures them
   double local_error = 0.0;          // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
   std::vector<BrokenSpring> breaks;  // in the order in which they broke
 };

@@ -159,7 +159,7 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
       if (!(length >= plan.break_length[s]) || !carries_force(plan, s)) continue;
       motion.breaks.push_back({plan.spring_index[s], motion.time, dashpot_power(plan, motion, s, run.first + e, run.second + e, length)});
       const double stretch = length - plan.rest_length[s];
-      motion.break_work -= 0.5 * plan.stiffness[s] * stretch * stretch;
+      motion.energy.add(EnergyCause::Breaks, -0.5 * plan.stiffness[s] * stretch * stretch);
       plan.stiffness[s] = 0.0;
       if (plan.has_dashpots()) plan.damping[s] = 0.0;
       broken.push_back(plan.spring_index[s]);
@@ -184,7 +184,7 @@ bool limit_strain(const Plan& plan, Motion& motion) {
     any = any || !is_met;
   }
   if (!is_met) stop_overlong_springs(plan, motion);
-  if (any) motion.limit_work += energy_of(plan, motion) - before;
+  if (any) motion.energy.add(EnergyCause::StrainLimit, energy_of(plan, motion) - before);
   return any;
 }
 

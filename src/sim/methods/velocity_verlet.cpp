@@ -98,7 +98,7 @@ void kick_and_drift_with_velocity(const Plan& plan, Motion& motion, Workspace& w
 
 // The forces at the end of the step from those in motion.forces, which contain gravity.
 void complete_weak_forces(const Plan& plan, Motion& motion, Field& next, double h) {
-  motion.power_as_computed = compute_external_forces_with_power(plan, motion.time + h, motion.x, motion.v, next);
+  compute_external_forces(plan, motion.time + h, motion.x, motion.v, next);
   const double phi = plan.drag == 0.0 ? 0.5 * h : -portable::expm1(-0.5 * plan.drag * h) / plan.drag;
   std::array<double, partial_sums> power{};
   for (int c = 0; c < plan.dimensions; ++c) {

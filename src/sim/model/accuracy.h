@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "sim/model/energy_ledger.h"
+
 namespace hooke {
 
 // A value, or why there is none: one clause for panels and reports.
@@ -16,15 +18,13 @@ struct Measured {
 // Why the accumulated error is not known although it was measured: the run lost the motion, or what it is compared with failed.
 enum class Loss { None, Unpredictable, Dissipated, HalfStepDiverged, NoSecondRun, Unresolved };
 
-// Where the energy came from and went since `since`, all [J]; what is dissipated is negative. The terms sum to `change`.
+// Where the energy came from and went since `since`.
 struct EnergyBalance {
-  double since = 0.0;                                                           // [s]
-  double change = 0.0;                                                          // kinetic, elastic and gravitational energy together
-  double hand = 0.0, edits = 0.0, forces = 0.0, colliders = 0.0, limits = 0.0;  // supplied; limits: springs that break, the strain limit
-  double drag = 0.0, dashpots = 0.0, contact = 0.0;                             // dissipated by the scene
-  double method = 0.0;                                                          // gained or lost by the numerical method
-
-  double sum() const { return hand + edits + forces + colliders + limits + drag + dashpots + contact + method; }
+  double since = 0.0;   // [s]
+  double change = 0.0;  // [J], of kinetic, elastic and gravitational energy together
+  EnergyLedger ledger;  // what explains it
+  // [J], the rest, gained or lost by the numerical method.
+  double method() const { return change - ledger.sum(); }
   bool operator==(const EnergyBalance&) const = default;
 };
 

@@ -20,6 +20,8 @@ struct Settings {
   double budget_ms = 0.0;  // [ms], of a frame, by the model of the cost of `auto` (control/cost_model.h); 0: no limit
   // In a frame that is computed again to measure its error: substeps end where a spring is about to break. In no file.
   bool locates_breaks = false;
+  // Drag and dashpots are in the energy ledger of the frame, at the cost of about a force evaluation for each substep. In no file.
+  bool measures_damping = false;
   bool operator==(const Settings&) const = default;
 
   double substep() const { return 1.0 / (frame_rate * substeps); }

@@ -4,7 +4,7 @@
 
 namespace hooke {
 
-void EnergyLedger::add_reversible(double work) {
+void EnergySupply::add_reversible(double work) {
   if (work == 0.0) return;
   net_input += work;
   const double sum = reversible.value_or(0.0) + work, low = min_reversible.value_or(0.0), high = max_reversible.value_or(0.0);

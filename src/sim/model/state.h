@@ -9,8 +9,8 @@
 
 namespace hooke {
 
-// The energy supplied so far; divergence.h compares the energy of the scene with it. [J]
-struct EnergyLedger {
+// What was supplied so far, which bounds the energy and the places that a motion can reach (divergence.h). [J]
+struct EnergySupply {
   double net_input = 0.0;     // energy at the start, plus the work of the hand, of forces and of edits
   double scale = 0.0;         // sum of the magnitudes of these contributions
   double hand_stretch = 0.0;  // elastic energy if each spring were stretched by the hand's longest displacement in a step so far
@@ -21,7 +21,7 @@ struct EnergyLedger {
   // its range and not the sum. None: 0.
   std::optional<double> reversible{}, min_reversible{}, max_reversible{};
   void add_reversible(double work);
-  bool operator==(const EnergyLedger&) const = default;
+  bool operator==(const EnergySupply&) const = default;
 };
 
 struct Integrator;
@@ -68,7 +68,7 @@ struct State {
   std::vector<Vec3> position;  // [m], one per point, in the order of the System
   std::vector<Vec3> velocity;  // [m/s]
   Hand hand;
-  EnergyLedger ledger;
+  EnergySupply supply;
   MethodMemory memory;
   std::uint32_t torn = 0;  // index of the latest tear; 0 means intact
   bool operator==(const State&) const = default;

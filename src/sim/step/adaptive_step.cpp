@@ -7,47 +7,7 @@
 #include "sim/model/portable_math.h"
 
 namespace hooke {
-
-StepCounters::StepCounters(const Motion& motion, const ForceWork& work)
-    : memory(motion.memory),
-      collider_work(motion.collider_work),
-      contact_work(motion.contact_work),
-      hand_work(motion.hand_work),
-      abs_hand_work(motion.abs_hand_work),
-      limit_work(motion.limit_work),
-      limit_gain(motion.limit_gain),
-      force_work(motion.force_work),
-      reversible_work(motion.reversible_work),
-      drag_work(motion.drag_work),
-      dashpot_work(motion.dashpot_work),
-      local_error(motion.local_error),
-      forces(work.memory()) {}
-
-void StepCounters::restore(Motion& motion, ForceWork& work) const {
-  motion.memory = memory;
-  motion.collider_work = collider_work;
-  motion.contact_work = contact_work;
-  motion.hand_work = hand_work;
-  motion.abs_hand_work = abs_hand_work;
-  motion.limit_work = limit_work;
-  motion.limit_gain = limit_gain;
-  motion.force_work = force_work;
-  motion.reversible_work = reversible_work;
-  motion.drag_work = drag_work;
-  motion.dashpot_work = dashpot_work;
-  motion.local_error = local_error;
-  work.restore(forces);
-}
-
 namespace {
-
-// For another attempt with this step [s]. A memory without an error stands for a first step, whose length the method chooses itself: each
-// attempt would be that step again.
-void restore(const StepCounters& before, double step, Motion& motion, ForceWork& work) {
-  const MethodMemory memory{.step = step, .error = before.memory.error > 0.0 ? before.memory.error : motion.memory.error};
-  before.restore(motion, work);
-  motion.memory = memory;
-}
 
 void store(const Motion& motion, ContactWorkspace& state) {
   state.time = motion.time;
@@ -55,51 +15,56 @@ void store(const Motion& motion, ContactWorkspace& state) {
   std::ranges::copy(motion.v, state.v.begin());
 }
 
-void restore(const ContactWorkspace& state, Motion& motion) {
-  motion.time = state.time;
-  std::ranges::copy(state.x, motion.x.begin());
-  std::ranges::copy(state.v, motion.v.begin());
-  motion.acceleration_is_current = false;
-}
-
 // Without contact and a strain limit a step needs no correction.
 bool has_corrections(const Plan& plan) { return plan.has_contact() || !plan.max_length.empty(); }
 
-// A step of the method alone, with the work of forces and damping along it.
-double advance_freely(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, DampingWork& damping,
-                      ForceWork& force_work) {
-  force_work.begin_substep(plan, motion);
-  damping.begin_substep(plan, motion, work);
-  const double start = motion.time, h = method.advance(plan, motion, work, interval);
-  if (h == 0.0) return 0.0;
-  motion.time = start + h;
-  force_work.integrate_power(plan, motion, h);
-  motion.time = start;
-  damping.end_step(plan, motion);
-  return h;
-}
-
 }  // namespace
 
-void AdaptiveStep::begin_frame(const Plan& plan, Motion& motion, Workspace& work) {
+void AdaptiveStep::begin_frame(const Plan& plan, const Motion& motion) {
   free_step_ = 0.0;
   surface_steps_ = 0;
-  for (ContactWorkspace* each : {&before_, &piece_}) each->damping.begin_frame(plan, 0.0, motion, work);
   if (!has_corrections(plan)) return;
   for (Field* field : {&before_.x, &before_.v, &piece_.x, &piece_.v, &coarse_x_, &coarse_v_}) field->resize(motion.x.size());
   for (ContactWorkspace* each : {&before_, &piece_}) each->begin_frame();
 }
 
+// For another attempt with the step `next` [s]. A memory without an error stands for a first step, whose length the method chooses itself:
+// each attempt would be that step again.
+void AdaptiveStep::take_back(const Step& step, const ContactWorkspace& start, const Taken& before, double next) {
+  Motion& motion = step.motion;
+  motion.time = start.time;
+  std::ranges::copy(start.x, motion.x.begin());
+  std::ranges::copy(start.v, motion.v.begin());
+  motion.acceleration_is_current = false;
+  const double error = before.memory.error > 0.0 ? before.memory.error : motion.memory.error;
+  motion.memory = {.step = next, .error = error};
+  motion.energy = before.energy;
+  motion.local_error = before.local_error;
+  step.works.forget_power();
+}
+
+// A step of the method alone.
+double AdaptiveStep::advance_freely(const Step& step, double interval) {
+  Motion& motion = step.motion;
+  step.works.begin_substep(step.plan, motion);
+  const double start = motion.time, h = step.method.advance(step.plan, motion, step.work, interval);
+  if (h == 0.0) return 0.0;
+  motion.time = start + h;
+  step.works.end_step(step.plan, motion, h);
+  motion.time = start;
+  return h;
+}
+
 // Strain limit first, then contact. Returns whether anything touched.
-bool AdaptiveStep::correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends, ForceWork& force_work) {
+bool AdaptiveStep::correct(const Step& step, ContactWorkspace& before, double h, bool ends) {
+  const Plan& plan = step.plan;
+  Motion& motion = step.motion;
   before.is_limited = false;
   const bool is_limited = ends && limit_strain(plan, before, motion);
   if (plan.surface.on) ++surface_steps_;
   const bool touches = plan.has_contact() && resolve_contacts(plan, before, motion, h);
-  const bool is_moved = is_limited || touches;
-  if (is_moved) motion.acceleration_is_current = false;
-  before.damping.end_substep(plan, h, is_limited, motion);
-  force_work.end_substep(plan, motion, h, is_moved);
+  if (is_limited || touches) motion.acceleration_is_current = false;
+  step.works.end_substep(plan, motion, h, is_limited || touches);
   return touches;
 }
 
@@ -111,33 +76,28 @@ double AdaptiveStep::difference(const Plan& plan, Field& coarse, const Field& fi
 
 // The same step in pieces, such that no impact is followed by more than about half of the time that followed it in the whole step. Returns
 // h, or 0 where no step is short enough.
-double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends,
-                                       ForceWork& force_work) {
+double AdaptiveStep::advance_in_pieces(const Step& step, double h, bool ends) {
+  Motion& motion = step.motion;
   const double start = motion.time;
   // the method knows nothing of what follows an impact, such as the force of a spring that it compresses: where nothing but a constant
   // force acted before, halves of the step that split it before the impact would both leave out the same
-  constexpr double max_part = 0.55;
-  constexpr int max_splits = 8;
   double split = 0.5 * (std::min(before_.first_touch, h) + h);
   int splits = 1;
   first_touch_ = std::numeric_limits<double>::infinity();
   for (double done = 0.0; done < h;) {
     if (is_at_limit(motion)) return 0.0;
     store(motion, piece_);
-    const StepCounters before(motion, force_work);
-    const double end = done < split ? split : h, left = end - done,
-                 length = advance_freely(plan, method, motion, work, left, piece_.damping, force_work);
+    const Taken before = taken(motion);
+    const double end = done < split ? split : h, left = end - done, length = advance_freely(step, left);
     if (length == 0.0) return 0.0;
-    const bool reaches_end = length == left;
-    const double next = reaches_end ? end : done + length;
-    const bool touches = correct(plan, piece_, motion, length, ends && next == h, force_work);
+    const double next = length == left ? end : done + length;
+    const bool touches = correct(step, piece_, length, ends && next == h);
     if (touches && std::isinf(first_touch_)) first_touch_ = done + piece_.first_touch;
     const double impact = done + piece_.first_impact;
-    if (touches && next - impact > max_part * (h - impact) && splits < max_splits) {
+    if (touches && next - impact > max_piece * (h - impact) && splits < max_splits) {
       split = 0.5 * (impact + h);
       ++splits;
-      restore(piece_, motion);
-      restore(before, split - done, motion, force_work);
+      take_back(step, piece_, before, split - done);
       continue;
     }
     ends_free_ = !touches;
@@ -149,78 +109,85 @@ double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& metho
 }
 
 double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, double left,
-                             ForceWork& force_work) {
-  if (!has_corrections(plan)) {
-    const double h = advance_freely(plan, method, motion, work, interval, before_.damping, force_work);
-    if (h != 0.0) force_work.end_substep(plan, motion, h, false);
-    return h;
-  }
-
+                             PowerWork& works) {
+  const Step step{plan, method, motion, work, works};
   // the strain limit is imposed once per substep and does not converge with the step, so that no step would be short enough for it; contact
   // of faces and springs is of first order, with impacts that never end while a cloth folds
-  if (!work.tolerance || !plan.max_length.empty() || plan.surface.on) {
-    store(motion, before_);
-    const double h = advance_freely(plan, method, motion, work, interval, before_.damping, force_work);
-    if (h != 0.0) correct(plan, before_, motion, h, h == left, force_work);
-    return h;
-  }
+  if (has_corrections(plan) && work.tolerance && plan.max_length.empty() && !plan.surface.on)
+    return advance_within_tolerance(step, interval, left);
 
-  // contact is resolved to about 1e-13 of the coordinates, and the velocity after an impact to that over its duration
-  ErrorScale scale(plan, motion, *work.tolerance);
-  constexpr double contact_round_off = 1e-12;  // [m], [m/s]
+  if (has_corrections(plan)) store(motion, before_);
+  const double h = advance_freely(step, interval);
+  if (h == 0.0) return 0.0;
+  if (has_corrections(plan))
+    correct(step, before_, h, h == left);
+  else
+    works.end_substep(plan, motion, h, false);
+  return h;
+}
+
+double AdaptiveStep::advance_within_tolerance(const Step& step, double interval, double left) {
+  Motion& motion = step.motion;
+  ErrorScale scale(step.plan, motion, *step.work.tolerance);
   scale.position = std::max(scale.position, contact_round_off);
-  scale.velocity = std::max(scale.velocity, 10.0 * contact_round_off);
+  scale.velocity = std::max(scale.velocity, contact_velocity_round_off);
   store(motion, before_);
   while (true) {
-    const StepCounters before(motion, force_work);
-    const double h = advance_freely(plan, method, motion, work, interval, before_.damping, force_work);
+    const Taken before = taken(motion);
+    const double h = advance_freely(step, interval);
     if (h == 0.0) return 0.0;
     const bool ends = h == left;
-    if (!correct(plan, before_, motion, h, ends, force_work)) return h;
+    if (!correct(step, before_, h, ends)) return h;
 
+    // the same step in pieces
     std::ranges::copy(motion.x, coarse_x_.begin());
     std::ranges::copy(motion.v, coarse_v_.begin());
     const double free_step = motion.memory.step;
-    restore(before_, motion);
-    restore(before, 0.5 * h, motion, force_work);
-    if (advance_in_pieces(plan, method, motion, work, h, ends, force_work) == 0.0) return 0.0;
+    take_back(step, before_, before, 0.5 * h);
+    if (advance_in_pieces(step, h, ends) == 0.0) return 0.0;
 
-    const double position = difference(plan, coarse_x_, motion.x) / 3.0, velocity = difference(plan, coarse_v_, motion.v) / 3.0;
+    // a third of the difference is the error of the finer result
+    const double position = difference(step.plan, coarse_x_, motion.x) / 3.0, velocity = difference(step.plan, coarse_v_, motion.v) / 3.0;
     const double error = scale.relative(position, velocity);
     if (!std::isfinite(error)) return 0.0;
-    constexpr double safety = 0.9, min_factor = 0.1, max_factor = 2.0;
-    const double factor = error == 0.0 ? max_factor : std::clamp(safety * portable::pow(error, -1.0 / 3.0), min_factor, max_factor);
-    if (error <= 1.0 || h <= work.min_step) {
+    const double factor =
+        error == 0.0 ? max_step_factor : std::clamp(step_safety * portable::pow(error, -1.0 / 3.0), min_step_factor, max_step_factor);
+    if (error <= 1.0 || h <= step.work.min_step) {
       motion.local_error += position;
-      // a step truncated by the end of the interval says little about the next one
-      const double contact_step = factor == max_factor ? std::max(before.memory.step, max_factor * h) : factor * h;
-      motion.memory.step = std::max(work.min_step, std::min(free_step, contact_step));
-      if (ends_free_) motion.memory.step = std::max(motion.memory.step, free_step_);
-      free_step_ = 0.0;
+      accept(step, before, h, factor, free_step);
       return h;
     }
-
-    // an impact: a step that ends before it, by a quarter of the length required for the contact, so that the impact is in the first half
-    // of the next step
-    const double contact_step = std::max(work.min_step, factor * h);
-    constexpr int max_attempts = 4;  // each with the impact located by the shorter step before
-    double impact = first_touch_;
-    for (int attempt = 0; attempt < max_attempts && std::isfinite(impact) && impact > 2.0 * contact_step; ++attempt) {
-      restore(before_, motion);
-      restore(before, h, motion, force_work);
-      const double jump = impact - 0.25 * contact_step,
-                   length = advance_freely(plan, method, motion, work, jump, before_.damping, force_work);
-      if (length == 0.0) return 0.0;
-      if (!correct(plan, before_, motion, length, false, force_work)) {
-        free_step_ = std::max(free_step_, h);
-        if (length == jump) motion.memory.step = contact_step;
-        return length;
-      }
-      impact = before_.first_touch;
-    }
-    restore(before_, motion);
-    restore(before, contact_step, motion, force_work);
+    const double contact_step = std::max(step.work.min_step, factor * h);
+    if (const double length = end_before_impact(step, before, h, contact_step); length >= 0.0) return length;
+    take_back(step, before_, before, contact_step);
   }
+}
+
+// Sets the next step after one of h with contact. A step truncated by the end of the interval says little about it.
+void AdaptiveStep::accept(const Step& step, const Taken& before, double h, double factor, double free_step) {
+  const double contact_step = factor == max_step_factor ? std::max(before.memory.step, max_step_factor * h) : factor * h;
+  double& next = step.motion.memory.step;
+  next = std::max(step.work.min_step, std::min(free_step, contact_step));
+  if (ends_free_) next = std::max(next, free_step_);
+  free_step_ = 0.0;
+}
+
+// An impact, for which the step of h is too long: a step that ends before it, by a part of the length that the contact requires. Returns
+// its length; 0: no step is short enough; negative: there is none, because the first contact is not an impact or too near.
+double AdaptiveStep::end_before_impact(const Step& step, const Taken& before, double h, double contact_step) {
+  double impact = first_touch_;
+  for (int attempt = 0; attempt < max_attempts_before_impact && std::isfinite(impact) && impact > 2.0 * contact_step; ++attempt) {
+    take_back(step, before_, before, h);
+    const double jump = impact - gap_before_impact * contact_step, length = advance_freely(step, jump);
+    if (length == 0.0) return 0.0;
+    if (!correct(step, before_, length, false)) {
+      free_step_ = std::max(free_step_, h);
+      if (length == jump) step.motion.memory.step = contact_step;
+      return length;
+    }
+    impact = before_.first_touch;
+  }
+  return -1.0;
 }
 
 }  // namespace hooke

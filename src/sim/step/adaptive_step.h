@@ -2,27 +2,13 @@
 #pragma once
 
 #include "sim/contact/contact.h"
-#include "sim/forces/energy/force_work.h"
+#include "sim/forces/energy/power_work.h"
 #include "sim/forces/motion.h"
 #include "sim/methods/error_scale.h"
 #include "sim/methods/integrator.h"
+#include "sim/step/constants.h"
 
 namespace hooke {
-
-// Of a frame, those of rejected steps included.
-inline constexpr long max_adaptive_evaluations = 2'000'000;
-// The same for steps with contact of faces or springs, each of which costs as much as hundreds of force evaluations.
-inline constexpr long max_adaptive_surface_steps = 5'000;
-
-// What a step adds to or overwrites besides positions and velocities, for steps that are taken back.
-struct StepCounters {
-  MethodMemory memory;
-  double collider_work, contact_work, hand_work, abs_hand_work, limit_work, limit_gain, force_work, reversible_work, drag_work,
-      dashpot_work, local_error;
-  ForceWork::Memory forces;
-  StepCounters(const Motion& motion, const ForceWork& work);
-  void restore(Motion& motion, ForceWork& work) const;
-};
 
 // Where nothing touches a collider, the method's own error estimate decides. If a tolerance is set, it applies to contact too: a step in
 // which anything touches is repeated in pieces, which halve the time that follows each impact and what is at rest. Contact is resolved to
@@ -35,12 +21,12 @@ class AdaptiveStep {
   // Of the coming frames.
   void limit_evaluations(long max) { max_evaluations_ = max; }
   // Once a frame; a step never allocates.
-  void begin_frame(const Plan& plan, Motion& motion, Workspace& work);
+  void begin_frame(const Plan& plan, const Motion& motion);
   // Advances the motion by one step of at most `interval` [s], with contacts and, if it leads to the end of the substep, `left` [s] away,
-  // the strain limit, and adds the work of the listed forces. Leaves motion.time. Returns the length of the step; 0: no step is short
-  // enough for a finite error.
+  // the strain limit, and books the work of all of them. Leaves motion.time. Returns the length of the step; 0: no step is short enough for
+  // a finite error.
   double advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, double left,
-                 ForceWork& force_work);
+                 PowerWork& works);
   // Whether one of the limits of the frame is reached.
   bool is_at_limit(const Motion& motion) const {
     return motion.force_evaluations >= max_evaluations_ || surface_steps_ >= max_adaptive_surface_steps;
@@ -48,9 +34,28 @@ class AdaptiveStep {
   bool has_too_many_pairs() const { return before_.has_too_many_pairs() || piece_.has_too_many_pairs(); }
 
  private:
-  bool correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends, ForceWork& force_work);
-  double advance_in_pieces(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends,
-                           ForceWork& force_work);
+  // What a step adds to or overwrites besides places and velocities; copied as a block to take it back.
+  struct Taken {
+    MethodMemory memory;
+    EnergyLedger energy;
+    double local_error = 0.0;
+  };
+  // The step that is being made.
+  struct Step {
+    const Plan& plan;
+    const Integrator& method;
+    Motion& motion;
+    Workspace& work;
+    PowerWork& works;
+  };
+  static Taken taken(const Motion& motion) { return {motion.memory, motion.energy, motion.local_error}; }
+  static void take_back(const Step& step, const ContactWorkspace& start, const Taken& before, double next);
+  static double advance_freely(const Step& step, double interval);
+  bool correct(const Step& step, ContactWorkspace& before, double h, bool ends);
+  double advance_within_tolerance(const Step& step, double interval, double left);
+  double advance_in_pieces(const Step& step, double h, bool ends);
+  double end_before_impact(const Step& step, const Taken& before, double h, double contact_step);
+  void accept(const Step& step, const Taken& before, double h, double factor, double free_step);
   double difference(const Plan& plan, Field& coarse, const Field& fine) const;
 
   ContactWorkspace before_, piece_;

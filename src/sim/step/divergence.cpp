@@ -6,6 +6,7 @@
 
 #include "base/finite.h"
 #include "sim/plan/plan.h"
+#include "sim/step/constants.h"
 
 namespace hooke {
 namespace {
@@ -86,40 +87,13 @@ bool is_finite(const State& state) {
 
 namespace {
 
-double max_length(const std::vector<Vec3>& vectors) {
-  double max = 0.0;
-  for (const Vec3& v : vectors) max = std::max(max, glm::dot(v, v));
-  return std::sqrt(max);
-}
-
-double mass_of(const System& system) {
-  double mass = 0.0;
-  for (const Point& point : system.points()) mass += point.mass;
-  return mass;
-}
-
-// The minimum of the supplied energy [J]: M g L; without gravity, 1e-9 of sum k l0^2; where only listed forces act, 1e-20 of M (w L)^2,
-// because rounding moves points that are at rest in the center of a force.
-double min_scale(const System& system, const State& state) {
-  double springs = 0.0;
-  for (const Spring& spring : system.springs()) springs += system.stiffness_of(spring) * spring.rest_length * spring.rest_length;
-  const double w = system.forces.empty() ? 0.0 : bound_spectrum(system).force_omega, distance = max_length(state.position);
-  const double forces = std::isfinite(w) && std::isfinite(distance) ? 1e-20 * mass_of(system) * w * w * distance * distance : 0.0;
-  return std::max({reference_energy(system, state), 1e-9 * springs, forces, 1e-300});
-}
-
-void record_extent(State& state) {
-  state.ledger.extent = std::max(state.ledger.extent.value_or(0.0), max_length(state.position));
-  state.ledger.speed = std::max(state.ledger.speed.value_or(0.0), max_length(state.velocity));
-}
-
 // The kinetic energy [J] that listed forces, by their bounds where the scene started, cause within a tenth of a second. Explicit Euler
 // starts from rest without displacement: its first step gains energy before the forces have done any work. 0 once those with
 // a potential have.
 double energy_of_a_start(const System& system, const State& state) {
-  if (system.forces.empty() || !state.ledger.extent || !state.ledger.speed) return 0.0;
-  if (state.ledger.min_reversible.value_or(0.0) != state.ledger.max_reversible.value_or(0.0)) return 0.0;
-  const double extent = *state.ledger.extent, speed = *state.ledger.speed, time = std::min(0.1, std::abs(state.time));
+  if (system.forces.empty() || !state.supply.extent || !state.supply.speed) return 0.0;
+  if (state.supply.min_reversible.value_or(0.0) != state.supply.max_reversible.value_or(0.0)) return 0.0;
+  const double extent = *state.supply.extent, speed = *state.supply.speed, time = std::min(max_start_time, std::abs(state.time));
   const Spectrum s = bound_spectrum(system, speed);
   const double of_positions = (s.force_omega * s.force_omega + s.estimated_omega * s.estimated_omega) * extent;
   const double of_velocities = (s.force_rate + s.estimated_rate) * (speed + s.force_speed);
@@ -130,40 +104,27 @@ double energy_of_a_start(const System& system, const State& state) {
 
 // Whether a point is farther away than any motion can have taken it.
 bool is_implausible(const System& system, const State& state, double distance) {
-  const EnergyLedger& ledger = state.ledger;
-  if (!ledger.extent || !ledger.speed || distance <= 1000.0 * *ledger.extent) return false;
-  return distance > plausible_reach(system, bound_spectrum(system), *ledger.extent, *ledger.speed, std::abs(state.time));
+  const EnergySupply& supply = state.supply;
+  if (!supply.extent || !supply.speed || distance <= implausible_factor * *supply.extent) return false;
+  return distance > plausible_reach(system, bound_spectrum(system), *supply.extent, *supply.speed, std::abs(state.time));
 }
 
 }  // namespace
 
-void initialize_ledger(const System& system, State& state) {
-  const Energy energy = compute_energy(system, state);
-  state.ledger = {.net_input = energy.total()};
-  state.ledger.scale = std::max(energy.kinetic + energy.elastic, min_scale(system, state));
-  record_extent(state);
-}
-
-void record_edit_energy(const System& system, double change, State& state) {
-  state.ledger.net_input += change;
-  state.ledger.scale = std::max(state.ledger.scale + std::abs(change), min_scale(system, state));
-  record_extent(state);
-}
-
 std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy, StepFailure failure) {
-  Divergence divergence{.time = state.time, .scale = state.ledger.scale};
+  Divergence divergence{.time = state.time, .scale = state.supply.scale};
 
   // moving air accelerates points up to its speed
   if (system.drag_rate() > 0.0) divergence.scale += mass_of(system) * glm::dot(system.wind, system.wind);
 
-  divergence.energy = energy.total() - state.ledger.net_input;
+  divergence.energy = energy.total() - state.supply.net_input;
   const double present = energy.kinetic + energy.elastic;
   // the work of a force may overflow before the state does
   if (!is_finite(state) || !std::isfinite(divergence.energy) || !std::isfinite(divergence.scale))
     divergence.kind = Divergence::Kind::NotFinite;
   else if (failure != StepFailure::None)
     divergence.kind = kind_of(failure);
-  else if (divergence.energy > divergence_factor * divergence.scale + state.ledger.hand_stretch &&
+  else if (divergence.energy > divergence_factor * divergence.scale + state.supply.hand_stretch &&
            divergence.energy > divergence_fraction * present && divergence.energy > energy_of_a_start(system, state))
     divergence.kind = Divergence::Kind::EnergyGain;
   else if (divergence.distance = max_length(state.position); is_implausible(system, state, divergence.distance))

@@ -7,6 +7,7 @@
 #include "sim/forces/energy/energy.h"
 #include "sim/model/settings.h"
 #include "sim/step/step.h"
+#include "sim/step/supply.h"
 
 namespace hooke {
 
@@ -22,23 +23,12 @@ struct Divergence {
   std::optional<SpringId> spring;  // the one under the highest strain, on that point if it has any
 };
 
-// The energy may exceed the supplied energy by this factor times its magnitude,
-inline constexpr double divergence_factor = 100.0;
-// plus hand_stretch of the ledger: in a step in which the hand turns a stiff sheet at its corner, springs are briefly too long. The gain
-// must also be at least this fraction of the kinetic and elastic energy: in a long fall these exceed the supplied energy by far, and so
-// does a small relative error.
-inline constexpr double divergence_fraction = 0.5;
-
 // True when every position and velocity is finite.
 bool is_finite(const State& state);
 
-// Starts the ledger at this state.
-void initialize_ledger(const System& system, State& state);
-
-// Records that an edit, which led to (system, state), changed the energy by `change` [J].
-void record_edit_energy(const System& system, double change, State& state);
-
-// Checks the frame that ended in `state`, or before its end with a `failure`; none if it did not diverge.
+// Checks the frame that ended in `state`, or before its end with a `failure`; none if it did not diverge. The gain of energy beyond what
+// was supplied is compared with divergence_factor times the supply and its hand_stretch: in a step in which the hand turns a stiff sheet at
+// its corner, springs are briefly too long.
 std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy,
                                           StepFailure failure = StepFailure::None);
 

@@ -3,21 +3,13 @@
 
 #include <span>
 
-#include "sim/contact/contact.h"
-#include "sim/forces/energy/force_work.h"
-#include "sim/forces/terms/sticking.h"
-#include "sim/methods/integrator.h"
+#include "sim/forces/motion.h"
 #include "sim/model/settings.h"
 #include "sim/model/state.h"
-#include "sim/step/adaptive_step.h"
+#include "sim/step/substep.h"
+#include "sim/step/supply.h"
 
 namespace hooke {
-
-// Why a frame ended early: for an adaptive method no step is short enough for a finite error, or a frame takes more than
-// max_adaptive_evaluations force evaluations or max_adaptive_surface_steps, those of rejected steps included; or more than
-// PairSolver::max_pairs pairs of points come within reach of each other in one substep, or these hit each other, or surfaces move, so that
-// the search for impacts does not end; or an implicit method needs a factor of more than max_factor_entries.
-enum class StepFailure { None, TooShort, TooMany, TooManyPairs, MatrixTooLarge };
 
 // A frame in progress. Reused from frame to frame, so that stepping does not allocate:
 //   frame.begin(plan, system, settings, state); while (!frame.done()) frame.substep(plan); frame.end(plan, state);
@@ -31,61 +23,35 @@ class Frame {
   // One substep; where nothing acts between them several, as many in every run; or, of an adaptive method, one of its own steps, so that
   // the time that a call takes is bounded.
   void substep(Plan& plan);
-  bool done() const { return substeps_done_ >= substeps_ || failure_ != StepFailure::None; }
+  bool done() const { return substeps_done_ >= substeps_ || failure() != StepFailure::None; }
   // Why the frame ended early; its state is then one within the frame.
-  StepFailure failure() const { return failure_; }
-  const Integrator* method() const { return integrator_; }  // null: no frame yet
+  StepFailure failure() const { return substep_.failure(); }
+  const Integrator* method() const { return &substep_.method(); }
   int substeps_done() const { return substeps_done_; }
   double duration() const { return duration_; }  // [s]
-  // Whether any point touched a collider or another point.
-  bool has_touched() const { return has_touched_; }
-  // Whether a point struck something: it did not only rest, slide or leave.
-  bool has_impact() const { return has_impact_; }
-  // Writes time, positions, velocities and the hand with the collider it carries, and adds their work to the ledger. The caller checks the
-  // result (divergence.h) before showing it.
+  // Whether any point touched a collider or another point; and whether one struck something: it did not only rest, slide or leave.
+  bool has_touched() const { return substep_.has_touched(); }
+  bool has_impact() const { return substep_.has_impact(); }
+  // Writes time, positions, velocities and the hand with the collider it carries, and what was supplied. The caller checks the result
+  // (divergence.h) before showing it.
   void end(const Plan& plan, State& state) const;
 
   // Indices in the System of springs that broke, in ascending order: the caller removes them.
-  std::span<const Index> broken() const { return broken_; }
+  std::span<const Index> broken() const { return substep_.broken(); }
 
   // Of a method that adapts its step, for the coming frames: fewer than max_adaptive_evaluations.
-  void limit_evaluations(long max) { adaptive_step_.limit_evaluations(max); }
+  void limit_evaluations(long max) { substep_.limit_evaluations(max); }
   long force_evaluations() const { return motion_.force_evaluations; }
   long factorizations() const { return motion_.factorizations; }
-  // All cost counters, and the method's own error estimate.
+  // The energy ledger of the frame, all cost counters, and the method's own error estimate.
   const Motion& motion() const { return motion_; }
 
  private:
-  bool fly(Plan& plan);
-  bool is_at_rest(const Plan& plan) const;
-  void stay(long evaluations, long sweeps);
-  double advance(Plan& plan, double length, bool& is_moved);
-  double advance_to_release(Plan& plan, double length, bool& is_moved);
-  bool act(Plan& plan, double h, bool may_touch);
-  void break_long_springs(Plan& plan);
-  void prepare_method(const Plan& plan, double h);
-  double next_step(const Plan& plan) const;
-
-  const Integrator* integrator_ = nullptr;
-  double start_ = 0.0, duration_ = 0.0, h_ = 0.0;  // [s]
+  double start_ = 0.0, duration_ = 0.0;  // [s]
   int substeps_ = 0, substeps_done_ = 0;
-  int one_by_one_until_ = 0;  // substep before which something acts between them
-  double left_ = 0.0;         // [s], of the substep in progress
-  bool locates_breaks_ = false;
-  double prepared_ = 0.0;  // [s], the step for which the method is prepared
-  StepFailure failure_ = StepFailure::None;
-  bool has_touched_ = false, has_impact_ = false;
-  Vec3 target_{0.0};
-  double hand_stretch_ = 0.0;  // [J], of this frame (EnergyLedger)
-  double hand_speed_ = 0.0;    // [m/s], of this frame
+  HandMotion hand_;
   Motion motion_;
-  Workspace work_;
-  ContactWorkspace before_;
-  AdaptiveStep adaptive_step_;
-  ForceWork force_work_;
-  Sticking sticking_;
-  std::vector<Index> broken_;
-  Vec3 collider_displacement_{0.0};  // [m], of the carried collider in this frame
+  Substep substep_;
 };
 
 }  // namespace hooke

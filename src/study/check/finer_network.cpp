@@ -374,7 +374,7 @@ class NetworkRefinement {
     result.state.velocity = std::move(velocity_);
     result.state.memory = {};
     result.state.torn = 0;
-    initialize_ledger(result.system, result.state);
+    initialize_supply(result.system, result.state);
     return result;
   }
 

@@ -42,7 +42,7 @@ void measure_run(Version& version, double seconds, const Part& part) {
   if (version.has_diverged) return;
   version.strain = strain;
   version.energy_change = compute_energy(lab.scene().system, lab.scene().state).total() - before;
-  version.energy_scale = lab.scene().state.ledger.scale;
+  version.energy_scale = lab.scene().state.supply.scale;
   version.end = lab.scene().state.position;
 }
 

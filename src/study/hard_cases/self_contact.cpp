@@ -153,7 +153,7 @@ Verdict judge_jelly_tower(const Integrator& method) {
   double top = 0.0;
   for (const Vec3& x : run.state().position) top = std::max(top, x.y);
   const double height = top / jelly_tower_height - 1.0, rise = run.monitor().energy_rise();
-  const double kinetic = kinetic_energy(run.system(), run.state()) / run.state().ledger.scale;
+  const double kinetic = kinetic_energy(run.system(), run.state()) / run.state().supply.scale;
   return judge(run, expectation_in_contact(run), worst == 0 && std::abs(height) < 0.01 && kinetic < 1e-6 && rise < max_rise,
                formatted("%.3g s: height %+.2g %%, kinetic energy %.1g of that supplied, %zu crossings, energy rises %.1g, %d substeps",
                          run.state().time, 100.0 * height, kinetic, worst, rise, run.settings().substeps));

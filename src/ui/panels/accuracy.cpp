@@ -85,17 +85,19 @@ void energy_row(const Term& term, double scale) {
 
 void energy_section(const Accuracy& accuracy) {
   heading("Energy balance");
+  using enum EnergyCause;
   const EnergyBalance& balance = accuracy.energy;
+  const EnergyLedger& ledger = balance.ledger;
   const std::array terms{
-      Term{"Hand", balance.hand},           Term{"Edits", balance.edits},     Term{"Forces", balance.forces},
-      Term{"Colliders", balance.colliders}, Term{"Limits", balance.limits},   Term{"Drag", balance.drag},
-      Term{"Dashpots", balance.dashpots},   Term{"Contact", balance.contact},
+      Term{"Hand", ledger[Hand]},           Term{"Edits", ledger[Edits]},     Term{"Forces", ledger.forces()},
+      Term{"Colliders", ledger[Colliders]}, Term{"Limits", ledger.limits()},  Term{"Drag", ledger[Drag]},
+      Term{"Dashpots", ledger[Dashpots]},   Term{"Contact", ledger[Contact]},
   };
-  double scale = std::max(std::abs(balance.change), std::abs(balance.method));
+  double scale = std::max(std::abs(balance.change), std::abs(balance.method()));
   for (const Term& term : terms) scale = std::max(scale, std::abs(term.value));
   for (const Term& term : terms)
     if (term.value != 0.0) energy_row(term, scale);
-  energy_row({"Method", balance.method}, scale);
+  energy_row({"Method", balance.method()}, scale);
   energy_row({"Sum", balance.change}, scale);
   explanation(
       "Energy gained and lost since the start. What no force explains is due to the method. A closed balance does not prove that the "

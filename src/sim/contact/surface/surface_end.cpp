@@ -8,6 +8,7 @@
 #include "sim/contact/contact_work.h"
 #include "sim/contact/surface/surface_step.h"
 #include "sim/forces/dashpots/dashpot.h"
+#include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/forces.h"
 
 namespace hooke {
@@ -79,7 +80,6 @@ void SurfaceStep::repeat_last_kick(const Plan& plan, double h, Motion& motion) {
     kick_[i] = has_collided_[i] != 0 ? 0.0 : 0.5 * h * (kick_[i] - free_acceleration[i]);
     motion.v[i] += kick_[i];
   }
-  damping_->note_last_kick(plan, kick_);
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const Vec3 change = point_in(plan, kick_, plan.surface.points[k]);
     last_kick_[k] += change;
@@ -153,7 +153,7 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
   if (is_limited_) work = mechanical_energy(plan, motion.time, motion) - energy;
   book_contact_work(work, supplied_work(plan, motion), motion);
   // impulses act at the velocity that belongs to the position; what the hand and colliders supply is part of the energy of the state
-  motion.contact_work += lag_work;
+  motion.energy.add(EnergyCause::Contact, lag_work);
 }
 
 // After all impulses of the substep. Impulses on the held point are bounded one by one: near it, they may be far larger than what
@@ -245,7 +245,7 @@ void SurfaceStep::transmit_through_dashpots(const Plan& plan, std::span<const Ob
   }
   for_components(plan, [&](std::size_t i, Index point) { impulses += plan.mass[point] * std::abs(v[i] - motion.v[i]); });
   motion.v = v;
-  motion.dashpot_work += dashpot_work;
+  motion.energy.add(EnergyCause::Dashpots, dashpot_work);
   if (plan.colliders_move)
     for (const Obstacle& obstacle : obstacles) speed = std::max(speed, max_surface_speed(obstacle, anchor_of(*obstacle.collider), h));
   book_contact_work(work, {.by_hand = impulses * held_speed(plan, motion), .by_colliders = impulses * speed}, motion);

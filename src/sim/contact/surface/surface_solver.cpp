@@ -13,10 +13,9 @@ void SurfaceSolver::begin_frame() {
   if (step_) step_->begin_frame();
 }
 
-void SurfaceSolver::begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, DampingWork& damping,
-                                  const Motion& motion) {
+void SurfaceSolver::begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, const Motion& motion) {
   if (!step_) step_ = std::make_unique<SurfaceStep>(relative_margin_);
-  step_->begin_substep(plan, velocity_lag, kicks_last, unlimited, damping, motion);
+  step_->begin_substep(plan, velocity_lag, kicks_last, unlimited, motion);
 }
 
 bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0,

@@ -4,7 +4,6 @@
 #include <memory>
 #include <span>
 
-#include "sim/contact/damping_work.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_search.h"
 #include "sim/forces/motion.h"
@@ -35,8 +34,7 @@ class SurfaceSolver {
   void begin_frame();
 
   // Before other contacts: remembers where the method leads, with its velocities before the strain limit changed them, if it did.
-  void begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, DampingWork& damping,
-                     const Motion& motion);
+  void begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, const Motion& motion);
   // Corrects the step of h that led from (x0, v0) to the motion. Returns whether anything touched. `near`: pairs of points that may touch
   // each other in it; what features do to them does not press them into each other.
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0, const Field& v0,

@@ -30,11 +30,9 @@ ContactImpulse split(const Vec3& impulse, const Vec3& normal) {
 
 }  // namespace
 
-void SurfaceStep::begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, DampingWork& damping,
-                                const Motion& motion) {
+void SurfaceStep::begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, const Motion& motion) {
   velocity_lag_ = velocity_lag;
   kicks_last_ = kicks_last;
-  damping_ = &damping;
   is_limited_ = unlimited != nullptr;
   free_velocity_.resize(plan.surface.points.size());
   for (std::size_t k = 0; k < free_velocity_.size(); ++k)

@@ -6,7 +6,6 @@
 
 #include "base/disjoint_sets.h"
 #include "sim/contact/contact_work.h"
-#include "sim/contact/damping_work.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_search.h"
 #include "sim/contact/surface/surface_response.h"
@@ -33,8 +32,7 @@ class SurfaceStep {
     search_.clear();
     decay_step_ = 0.0;
   }
-  void begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, DampingWork& damping,
-                     const Motion& motion);
+  void begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, const Motion& motion);
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0, const Field& v0,
                double h, Motion& motion);
   bool has_failed() const { return has_failed_; }
@@ -79,9 +77,8 @@ class SurfaceStep {
   std::vector<Vec3> x_, end_;        // at the start of the substep, and at its end, first without this contact
   std::vector<Vec3> free_velocity_;  // [m/s], at its end without any contact and strain limit
   double velocity_lag_ = 0.0;        // [1], of the method (integrator.h)
-  DampingWork* damping_ = nullptr;
-  bool is_limited_ = false;  // whether the strain limit acted in the substep
-  bool kicks_last_ = false;  // whether the method ends a substep by accelerating points
+  bool is_limited_ = false;          // whether the strain limit acted in the substep
+  bool kicks_last_ = false;          // whether the method ends a substep by accelerating points
   // [m/s], displacement over h: without this contact, with its impulses, with what separates, and without impacts
   std::vector<Vec3> free_u_, u_, separated_, path_;
   std::vector<Vec3> shift_;               // [m/s], that separates, over h

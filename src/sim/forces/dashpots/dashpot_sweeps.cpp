@@ -269,7 +269,7 @@ void DashpotSweeps::measure(bool is_measured, std::size_t size) {
   is_measured_ = is_measured;
   has_swept_ = false;
   if (!is_measured) return;
-  for (Field* field : {&change_, &last_change_, &work_}) field->resize(size);
+  for (Field* field : {&before_, &change_, &work_}) field->resize(size);
 }
 
 void DashpotSweeps::begin_step() {
@@ -281,15 +281,14 @@ void DashpotSweeps::begin_step() {
 
 void DashpotSweeps::sweep(const Plan& plan, SweepDirection sweep, bool is_same, const Field& x, Field& v) {
   if (!is_measured_) return apply(plan, sweep, is_same, x, v);
-  std::ranges::copy(v, last_change_.begin());
+  std::ranges::copy(v, before_.begin());
   apply(plan, sweep, is_same, x, v);
   has_swept_ = true;
   for (int c = 0; c < plan.dimensions; ++c)
     for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at) {
-      const double before = last_change_[at], change = v[at] - before;
-      last_change_[at] = change;
+      const double change = v[at] - before_[at];
       change_[at] += change;
-      work_[at] += plan.mass[i] * change * (before + 0.5 * change);
+      work_[at] += plan.mass[i] * change * (before_[at] + 0.5 * change);
     }
 }
 

@@ -29,12 +29,11 @@ class DashpotSweeps {
 
   // Whether sweeps are measured, over fields of this size.
   void measure(bool is_measured, std::size_t size);
-  // Of the sweeps since then, if they are measured: whether there were any; by what all of them and the last one changed each component of
-  // the velocities [m/s], and the kinetic energy in it [J].
+  // Of the sweeps since then, if they are measured: whether there were any; by what they changed each component of the velocities [m/s],
+  // and the kinetic energy in it [J].
   void begin_step();
   bool has_swept() const { return has_swept_; }
   const Field& change() const { return change_; }
-  const Field& last_change() const { return last_change_; }
   const Field& work() const { return work_; }
 
  private:
@@ -58,8 +57,8 @@ class DashpotSweeps {
   bool is_known_ = false;              // whether the springs have the vectors and factors of the last sweep
   std::vector<double> x_, v_;          // four numbers for each point, the last of them 0
   bool is_measured_ = false, has_swept_ = false;
-  Field change_, last_change_;  // [m/s]
-  Field work_;                  // [J]
+  Field before_, change_;  // [m/s], before a sweep, and by all of them
+  Field work_;             // [J]
 };
 
 }  // namespace hooke

@@ -1,6 +1,7 @@
 #include "sim/forces/dashpots/dissipation_bound.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "base/disjoint_sets.h"
@@ -18,11 +19,10 @@ bool has_damping(const System& system) {
 
 // Whether something but springs, gravity, drag and dashpots did work.
 bool is_supplied(const Plan& plan, const Motion& motion) {
+  using enum EnergyCause;
   if (plan.held || plan.pull || !plan.forces.empty() || !motion.breaks.empty()) return true;
-  for (const double work :
-       {motion.contact_work, motion.collider_work, motion.hand_work, motion.force_work, motion.break_work, motion.limit_work})
-    if (work != 0.0) return true;
-  return false;
+  const auto acted = [&](EnergyCause cause) { return motion.energy[cause] != 0.0; };
+  return std::ranges::any_of(std::array{Hand, Potentials, Forces, Colliders, Breaks, StrainLimit, Contact}, acted);
 }
 
 bool may_break(const System& system) {
@@ -115,7 +115,7 @@ double DissipationBound::until_break(const std::vector<BrokenSpring>& breaks) co
 double DissipationBound::end_frame(const Plan& plan, const System& system, const State& state, const Motion& motion) {
   const double duration = state.time - start_;
   if (!is_divided(system) || is_supplied(plan, motion))
-    return max_dissipation(plan.spectrum, state.ledger.scale, std::max(kinetic_, kinetic_energy(system, state)), duration) +
+    return max_dissipation(plan.spectrum, state.supply.scale, std::max(kinetic_, kinetic_energy(system, state)), duration) +
            until_break(motion.breaks);
   measure(system, state, after_);
   const SpectrumRows rows = spectrum_rows(system);
@@ -126,7 +126,7 @@ double DissipationBound::end_frame(const Plan& plan, const System& system, const
   for (std::size_t k = 0; k < after_.size(); ++k) {
     const double loss = before_[k].energy - after_[k].energy;
     const Spectrum own{.dashpot_rate = after_[k].rate, .drag_rate = plan.spectrum.drag_rate};
-    sum += std::clamp(loss, 0.0, max_dissipation(own, state.ledger.scale, std::max(before_[k].kinetic, after_[k].kinetic), duration));
+    sum += std::clamp(loss, 0.0, max_dissipation(own, state.supply.scale, std::max(before_[k].kinetic, after_[k].kinetic), duration));
   }
   return sum;
 }

@@ -27,6 +27,42 @@ double stored_energy(const Plan& plan, const Field& x) {
   return energy;
 }
 
+double kinetic_energy(const Plan& plan, const Field& v) {
+  double energy = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
+      if (plan.inverse_mass[i] != 0.0) energy += 0.5 * plan.mass[i] * v[at] * v[at];
+  return energy;
+}
+
+double potential_energy(const Plan& plan, double time, const Field& x) {
+  double energy = stored_energy(plan, x);
+  for (const Force& force : plan.forces)
+    if (force.term->potential != nullptr) energy += force.term->potential(plan, force.values, time, x.data());
+  return energy;
+}
+
+double mechanical_energy(const Plan& plan, double time, const Motion& motion) {
+  return kinetic_energy(plan, motion.v) + potential_energy(plan, time, motion.x);
+}
+
+double dashpot_power(const Plan& plan, const Field& x, const Field& v) {
+  double power = 0.0;
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const double damping = plan.damping[run.begin + e];
+      if (damping == 0.0) continue;
+      double length_squared = 0.0, product = 0.0;
+      for (int c = 0; c < plan.dimensions; ++c) {
+        const std::size_t at = static_cast<std::size_t>(c) * plan.points, i = at + run.first + e, j = at + run.second + e;
+        length_squared += (x[j] - x[i]) * (x[j] - x[i]);
+        product += (x[j] - x[i]) * (v[j] - v[i]);
+      }
+      if (length_squared > 0.0) power += damping * product * product / length_squared;
+    }
+  return power;
+}
+
 double max_dissipation(const Spectrum& spectrum, double supplied, double kinetic, double duration) {
   return 2.0 * (spectrum.drag_rate + spectrum.dashpot_rate) * std::max(supplied, 2.0 * kinetic) * duration;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "sim/forces/forces.h"
 
@@ -45,10 +44,6 @@ bool is_at_rest_on(const Plan& plan, const StickyContact& contact, const Motion&
   return std::abs(relative) <= rest_tolerance * (1.0 + std::abs(speed));
 }
 
-bool contains(const std::vector<StickyContact>& list, const StickyContact& contact) {
-  return std::ranges::find(list, contact) != list.end();
-}
-
 }  // namespace
 
 const Vec3& normal_of(const Plan& plan, const StickyContact& contact) {
@@ -71,8 +66,8 @@ void keep_on_planes(const Plan& plan, double time, Motion& motion) {
     if (distance > 0.0) add_along(plan, normal, -distance, contact.point, motion.x);
     if (relative > 0.0) {
       add_along(plan, normal, -relative, contact.point, motion.v);
-      motion.contact_work -= 0.5 * plan.mass[contact.point] * relative * relative;
-      motion.collider_work -= plan.mass[contact.point] * relative * speed;
+      motion.energy.add(EnergyCause::Contact, -0.5 * plan.mass[contact.point] * relative * relative);
+      motion.energy.add(EnergyCause::Colliders, -plan.mass[contact.point] * relative * speed);
     }
     if (std::max(distance, relative) > round_off) motion.acceleration_is_current = false;
   }
@@ -83,9 +78,9 @@ void Sticking::begin_frame(Plan& plan, const Motion& motion) {
   if (plan.sticky.strength == 0.0) return;
   const auto is_plane = [](const Collider& collider) { return std::holds_alternative<Plane>(collider.shape); };
   const auto size = static_cast<std::size_t>(plan.points * std::ranges::count_if(plan.colliders, is_plane));
-  for (auto* list : {&plan.sticky.held, &none_, &previous_, &released_, &candidates_}) list->reserve(size), list->clear();
+  for (auto* list : {&plan.sticky.held, &none_, &previous_}) list->reserve(size), list->clear();
   for (auto* list : {&pull_, &start_pull_}) list->reserve(size), list->clear();
-  for (Field* field : {&x_, &v_, &f_}) field->resize(motion.x.size());
+  f_.resize(motion.x.size());
 }
 
 void Sticking::begin_step(Plan& plan, Motion& motion) {
@@ -96,12 +91,11 @@ void Sticking::begin_step(Plan& plan, Motion& motion) {
     if (!std::holds_alternative<Plane>(plan.colliders[k].shape)) continue;
     for (Index i = 0; i < plan.points; ++i) {
       const StickyContact contact{i, static_cast<Index>(k)};
-      if (plan.inverse_mass[i] != 0.0 && is_at_rest_on(plan, contact, motion) && !contains(released_, contact))
-        plan.sticky.held.push_back(contact);
+      if (plan.inverse_mass[i] != 0.0 && is_at_rest_on(plan, contact, motion)) plan.sticky.held.push_back(contact);
     }
   }
   if (!plan.sticky.held.empty()) {
-    excess(plan, motion.time, motion.x, motion.v, motion);
+    compute_pulls(plan, motion);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < pull_.size(); ++k) {
       if (pull_[k] > plan.sticky.strength) continue;
@@ -110,112 +104,30 @@ void Sticking::begin_step(Plan& plan, Motion& motion) {
     }
     plan.sticky.held.resize(kept);
     pull_.resize(kept);
-    start_pull_ = pull_;
   }
   if (plan.sticky.held != previous_) motion.acceleration_is_current = false;
 }
 
-// [N], by which the pull on the held points exceeds the strength, the maximum over them. The force of the planes itself does not count.
-double Sticking::excess(Plan& plan, double time, const Field& x, const Field& v, Motion& motion) {
+// The force of the planes itself does not count.
+void Sticking::compute_pulls(Plan& plan, Motion& motion) {
   std::swap(plan.sticky.held, none_);
-  compute_forces(plan, time, x, v, f_);
+  compute_forces(plan, motion.time, motion.x, motion.v, f_);
   std::swap(plan.sticky.held, none_);
   ++motion.force_evaluations;
   pull_.clear();
-  double max = -plan.sticky.strength;
-  for (const StickyContact& contact : plan.sticky.held) {
-    pull_.push_back(pull_on(plan, contact, time, f_.data()));
-    max = std::max(max, pull_.back() - plan.sticky.strength);
-  }
-  return max;
+  for (const StickyContact& contact : plan.sticky.held) pull_.push_back(pull_on(plan, contact, motion.time, f_.data()));
 }
 
-// On the cubic through both ends of the step, t after its start.
-double Sticking::excess_at(Plan& plan, double t, Motion& motion) {
-  const double s = t / h_, r = 1.0 - s, a = r * r * (1.0 + 2.0 * s), b = s * r * r * h_, c = s * s * (3.0 - 2.0 * s), d = -s * s * r * h_;
-  const double slope = 6.0 * s * r / h_, from = r * (1.0 - 3.0 * s), to = s * (3.0 * s - 2.0);
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    const double x0 = (*x0_)[i], v0 = (*v0_)[i], x1 = motion.x[i], v1 = motion.v[i];
-    x_[i] = a * x0 + b * v0 + c * x1 + d * v1;
-    v_[i] = slope * (x1 - x0) + from * v0 + to * v1;
-  }
-  return excess(plan, start_ + t, x_, v_, motion);
-}
-
-void Sticking::end_step(bool is_at_release) {
-  released_.clear();
-  if (is_at_release) release_at_start();
-}
-
-// Of a step that is not repeated, by the trapezoidal rule.
-void Sticking::add_work(const Plan& plan, Motion& motion) const {
-  if (!plan.colliders_move) return;
+// By the trapezoidal rule for the force of the planes, at their speed.
+void Sticking::end_step(Plan& plan, double h, Motion& motion) {
+  if (plan.sticky.held.empty() || !plan.colliders_move) return;
+  std::swap(pull_, start_pull_);
+  compute_pulls(plan, motion);
   for (std::size_t k = 0; k < pull_.size(); ++k) {
-    const double start = std::max(0.0, start_pull_[k]) * speed_of_plane(plan, plan.sticky.held[k], start_);
-    const double end = std::max(0.0, pull_[k]) * speed_of_plane(plan, plan.sticky.held[k], start_ + h_);
-    motion.collider_work -= 0.5 * h_ * (start + end);
+    const double start = std::max(0.0, start_pull_[k]) * speed_of_plane(plan, plan.sticky.held[k], motion.time - h);
+    const double end = std::max(0.0, pull_[k]) * speed_of_plane(plan, plan.sticky.held[k], motion.time);
+    motion.energy.add(EnergyCause::Colliders, -0.5 * h * (start + end));
   }
-}
-
-// A time [s] after the start of the step at which the pull exceeds the strength; infinity: at none. `excess` is that at the start of the
-// step, and becomes that at this time.
-double Sticking::time_beyond(Plan& plan, double& excess, double at_end, Motion& motion) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  if (at_end > 0.0) return excess = at_end, h_;
-  // it may exceed it and fall again: the parabola through its values at both ends and in the middle
-  const double h_omega = h_ * plan.spectrum.omega, at_start = excess;
-  const double margin = 0.25 * plan.sticky.strength * h_omega * std::max(1.0, h_omega) + 2.0 * std::abs(at_end - at_start);
-  if (std::max(at_start, at_end) < -margin) return none;
-  excess = excess_at(plan, 0.5 * h_, motion);
-  if (excess > 0.0) return 0.5 * h_;
-  const double bend = at_start - 2.0 * excess + at_end;
-  if (!(bend < 0.0)) return none;
-  const double peak = h_ * std::clamp(0.5 - 0.25 * (at_end - at_start) / bend, 0.0, 1.0);
-  excess = excess_at(plan, peak, motion);
-  return excess > 0.0 ? peak : none;
-}
-
-double Sticking::time_of_release(Plan& plan, const Field& x0, const Field& v0, double start, double h, Motion& motion) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  if (plan.sticky.held.empty()) return none;
-  x0_ = &x0;
-  v0_ = &v0;
-  start_ = start;
-  h_ = h;
-  const double strength = plan.sticky.strength, at_start = *std::ranges::max_element(start_pull_) - strength;
-  const double at_end = excess(plan, start + h, motion.x, motion.v, motion);
-  add_work(plan, motion);
-  constexpr int max_releases = 16;
-  if (!std::isfinite(at_end)) return none;
-  double above = at_start, high = time_beyond(plan, above, at_end, motion);
-  if (high == none || releases_ >= max_releases) return none;
-  ++releases_;
-
-  // regula falsi (Illinois)
-  constexpr int max_iterations = 60;
-  constexpr double resolution = 1e-10, negligible = 1e-6;  // of the step
-  double low = 0.0, below = at_start;
-  int side = 0;
-  for (int i = 0; i < max_iterations && high - low > resolution * h && above > 1e-12 * strength; ++i) {
-    const double margin = 0.01 * (high - low), t = std::clamp(low - below * (high - low) / (above - below), low + margin, high - margin);
-    const double value = excess_at(plan, t, motion);
-    const int last = side;
-    side = value > 0.0 ? 1 : -1;
-    if (value > 0.0) {
-      high = t;
-      above = value;
-      if (last == side) below *= 0.5;
-    } else {
-      low = t;
-      below = value;
-      if (last == side) above *= 0.5;
-    }
-  }
-  excess_at(plan, high, motion);
-  candidates_.clear();
-  for (std::size_t k = 0; k < pull_.size(); ++k)
-    if (pull_[k] >= (1.0 - 1e-9) * strength) candidates_.push_back(plan.sticky.held[k]);
-  return high > (1.0 - negligible) * h ? h : high > negligible * h ? high : 0.0;
 }
 
 }  // namespace hooke

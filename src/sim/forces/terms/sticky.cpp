@@ -1,6 +1,6 @@
 // A point that touches a plane stays there until the sum of the other forces pulls it off with more than s [N]. What is held is decided at
-// the start of a step, and remains so up to its end: the step ends where the first point is let go (sticking.h). So the force is continuous
-// within a step, whatever the stages of the method evaluate, and an event between two steps.
+// the start of a step, and remains so up to its end (sticking.h). So the force is continuous within a step, whatever the stages of the
+// method evaluate.
 #include <algorithm>
 
 #include "sim/forces/terms/rows.h"

@@ -1,0 +1,222 @@
+#include "sim/forces/energy/power_work.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/forces/constants.h"
+#include "sim/forces/energy/plan_energy.h"
+#include "sim/forces/field_kernel.h"
+#include "sim/forces/forces.h"
+#include "sim/model/portable_math.h"
+
+namespace hooke {
+namespace {
+
+// The acceleration of every point by moving air, through drag, which is constant.
+Vec3 air_acceleration(const Plan& plan) { return plan.acceleration - plan.gravity; }
+
+// [J], on the way from `start` to `end`: exact for any path.
+double air_work(const Plan& plan, const Field& start, const Field& end) {
+  const Vec3 acceleration = air_acceleration(plan);
+  double work = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    if (acceleration[c] == 0.0) continue;
+    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
+    double moment = 0.0;
+    for (Index i = 0; i < plan.points; ++i)
+      if (plan.inverse_mass[i] != 0.0) moment += plan.mass[i] * (end[begin + i] - start[begin + i]);
+    work += acceleration[c] * moment;
+  }
+  return work;
+}
+
+// [1/s], at which the power of this cause changes.
+double rate_of(const Plan& plan, EnergyCause cause) {
+  if (cause == EnergyCause::Drag) return plan.drag;
+  if (cause == EnergyCause::Dashpots) return plan.spectrum.dashpot_rate;
+  return plan.spectrum.force_rate + plan.spectrum.estimated_rate;
+}
+
+// Whether three values of the power at the start, the middle and the end of a step are those of a smooth curve. Points faster than the air
+// have higher rates than the spectrum says.
+bool is_smooth(double start, double middle, double end) {
+  return std::abs(start - 2.0 * middle + end) <= max_power_bend * std::max({std::abs(start), std::abs(middle), std::abs(end)});
+}
+
+// [J], of dashpots whose impulse is that of the path of the method, from `start` to `free`, along the path to `end`.
+double dashpot_work(const Plan& plan, double h, const Field& start, const Field& free, const Field& end) {
+  double work = 0.0;
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const double damping = plan.damping[run.begin + e];
+      if (damping == 0.0) continue;
+      const auto length = [&](const Field& x) {
+        double sum = 0.0;
+        for (int c = 0; c < plan.dimensions; ++c) {
+          const std::size_t at = static_cast<std::size_t>(c) * plan.points;
+          const double difference = x[at + run.second + e] - x[at + run.first + e];
+          sum += difference * difference;
+        }
+        return std::sqrt(sum);
+      };
+      const double l0 = length(start);
+      work -= damping * (length(free) - l0) * (length(end) - l0) / h;
+    }
+  return work;
+}
+
+// (a - b) / ln(a / b), of two powers that dissipate; 0 if one of them is.
+double logarithmic_mean(double a, double b) {
+  if (!(a * b > 0.0)) return 0.0;
+  const double x = (b - a) / a;
+  return std::abs(x) < 1e-4 ? a * (1.0 + 0.5 * x) : a * x / portable::log(b / a);
+}
+
+constexpr std::array by_power{EnergyCause::Forces, EnergyCause::Drag, EnergyCause::Dashpots};
+
+}  // namespace
+
+void PowerWork::begin_frame(const Plan& plan, const Motion& motion, DashpotSweeps& sweeps, bool measures_damping) {
+  is_power_current_ = false;
+  has_forces_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
+  has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
+  has_air_ = air_acceleration(plan) != Vec3(0.0);
+  measures_drag_ = measures_damping && plan.drag > 0.0;
+  measures_dashpots_ = measures_damping && plan.has_dashpots();
+  sweeps_ = &sweeps;
+  sweeps.measure(measures_dashpots_, motion.x.size());
+  if (!has_power() && !has_potential_ && !has_air_) return;
+  for (Field* field : {&x_, &v_, &middle_x_, &middle_v_}) field->resize(motion.x.size());
+  if (measures_dashpots_) free_x_.resize(motion.x.size());
+}
+
+EnergyLedger PowerWork::power(const Plan& plan, double time, const Field& x, const Field& v) const {
+  EnergyLedger power;
+  for (const Force& force : plan.forces)
+    if (force.term->power != nullptr) power.add(EnergyCause::Forces, force.term->power(plan, force.values, time, x.data(), v.data()));
+  if (measures_drag_) power.add(EnergyCause::Drag, -2.0 * plan.drag * kinetic_energy(plan, v));
+  if (measures_dashpots_ && !sweeps_->has_swept()) power.add(EnergyCause::Dashpots, -dashpot_power(plan, x, v));
+  return power;
+}
+
+// Where the method has left the forces at the end of its step, these and their power are computed together.
+EnergyLedger PowerWork::power_at_end(const Plan& plan, Motion& motion) const {
+  const bool is_open = motion.contents == Motion::Forces::Open, is_known = is_open || motion.contents == Motion::Forces::External;
+  if (!has_forces_ || !is_known) return power(plan, motion.time, motion.x, motion.v);
+  EnergyLedger power;
+  if (is_open) {
+    power.add(EnergyCause::Forces, add_force_terms_with_power(plan, motion.time, motion.x, motion.v, motion.forces));
+    motion.contents = Motion::Forces::Complete;
+  } else {
+    power.add(EnergyCause::Forces, motion.power);
+  }
+  if (measures_drag_) power.add(EnergyCause::Drag, -2.0 * plan.drag * kinetic_energy(plan, motion.v));
+  if (measures_dashpots_ && !sweeps_->has_swept()) power.add(EnergyCause::Dashpots, -dashpot_power(plan, motion.x, motion.v));
+  return power;
+}
+
+void PowerWork::begin_substep(const Plan& plan, const Motion& motion) {
+  if (!has_power() && !has_potential_ && !has_air_) return;
+  time_ = motion.time;
+  work_ = {};
+  // a step follows that needs no more than the power at both ends
+  const bool is_external = motion.contents == Motion::Forces::External && motion.acceleration_is_current;
+  const bool needs_path = !is_external || measures_drag_ || measures_dashpots_ || plan.has_contact();
+  if (needs_path || has_air_) std::ranges::copy(motion.x, x_.begin());
+  if (!has_power()) return;
+  if (needs_path) std::ranges::copy(motion.v, v_.begin());
+  if (!is_power_current_) power_ = power(plan, motion.time, motion.x, motion.v);
+  if (measures_dashpots_) sweeps_->begin_step();
+}
+
+// By the power at the mean velocity and the mean position between the start of the substep and `end`.
+EnergyLedger PowerWork::displacement_work(const Plan& plan, double h, const Field& end) {
+  for (std::size_t i = 0; i < end.size(); ++i) {
+    middle_x_[i] = 0.5 * (x_[i] + end[i]);
+    middle_v_[i] = (end[i] - x_[i]) / h;
+  }
+  EnergyLedger work = power(plan, time_ + 0.5 * h, middle_x_, middle_v_);
+  return work *= h;
+}
+
+void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
+  if (!has_power()) return;
+  const bool is_external = has_forces_ && motion.contents == Motion::Forces::External;
+  if (is_external) return end_steps(plan, motion, h);
+  const EnergyLedger start = power_;
+  power_ = power_at_end(plan, motion);
+  is_power_current_ = true;
+  if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
+
+  const auto is_resolved = [&](EnergyCause cause) { return rate_of(plan, cause) * h <= max_resolved_rate; };
+  EnergyLedger middle;
+  if (std::ranges::any_of(by_power, is_resolved)) {
+    set_cubic_middle({x_.data(), v_.data(), motion.x.data(), motion.v.data()}, h, middle_x_.data(), middle_v_.data(), x_.size());
+    middle = power(plan, time_ + 0.5 * h, middle_x_, middle_v_);
+  }
+  const auto is_by_simpson = [&](EnergyCause cause) { return is_resolved(cause) && is_smooth(start[cause], middle[cause], power_[cause]); };
+  work_ = std::ranges::all_of(by_power, is_by_simpson) ? EnergyLedger{} : displacement_work(plan, h, motion.x);
+  for (const EnergyCause cause : by_power)
+    if (is_by_simpson(cause)) work_[cause] = h / 6.0 * (start[cause] + 4.0 * middle[cause] + power_[cause]);
+}
+
+void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
+  if (!has_power()) return;
+  const EnergyLedger start = power_;
+  power_ = power_at_end(plan, motion);
+  is_power_current_ = true;
+  for (const EnergyCause cause : by_power) {
+    const bool is_resolved = cause == EnergyCause::Forces || rate_of(plan, cause) * h <= max_resolved_rate;
+    const double mean = is_resolved ? 0.5 * (start[cause] + power_[cause]) : logarithmic_mean(start[cause], power_[cause]);
+    work_[cause] = h * mean;
+  }
+  if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
+}
+
+// At points that contact or the strain limit moved, the impulses of the sweeps act along the path that results, as all forces do for
+// contact.
+double PowerWork::work_of_sweeps(const Plan& plan, double h, const Motion& motion, bool is_moved) const {
+  double work = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at) {
+      const bool is_displaced = is_moved && motion.x[at] != free_x_[at];
+      work += is_displaced ? plan.mass[i] * sweeps_->change()[at] * (motion.x[at] - x_[at]) / h : sweeps_->work()[at];
+    }
+  return work;
+}
+
+void PowerWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_moved) {
+  if (!has_power() && !has_potential_ && !has_air_) return;
+  if (has_power() && is_moved) {
+    is_power_current_ = false;
+    // What contact stops has not moved with the velocity at which the forces acted: at rest, that which the weight causes in a substep.
+    // Where contact pushes points, as out of a collider, their displacement is the larger one, but no motion in which forces do work.
+    EnergyLedger moved = displacement_work(plan, h, motion.x);
+    if (measures_dashpots_) work_[EnergyCause::Dashpots] = moved[EnergyCause::Dashpots] = dashpot_work(plan, h, x_, free_x_, motion.x);
+    for (const EnergyCause cause : by_power)
+      if (std::abs(moved[cause]) < std::abs(work_[cause])) work_[cause] = moved[cause];
+  }
+  if (measures_dashpots_ && sweeps_->has_swept()) work_[EnergyCause::Dashpots] = work_of_sweeps(plan, h, motion, is_moved);
+  if (has_air_) motion.energy.add(EnergyCause::Potentials, air_work(plan, x_, motion.x));
+  if (has_potential_) add_potential_work(plan, motion, h);
+  motion.energy += work_;
+}
+
+// A held point is moved by the hand, not by the forces: for the potentials, which may depend on all points together, it stays at the middle
+// of its path.
+void PowerWork::add_potential_work(const Plan& plan, Motion& motion, double h) {
+  Field& end = middle_x_;
+  std::ranges::copy(motion.x, end.begin());
+  if (plan.held)
+    for (int c = 0; c < plan.dimensions; ++c) {
+      const std::size_t held = static_cast<std::size_t>(c) * plan.points + static_cast<std::size_t>(*plan.held);
+      x_[held] = end[held] = 0.5 * (x_[held] + motion.x[held]);
+    }
+  for (const Force& force : plan.forces) {
+    if (force.term->potential == nullptr) continue;
+    const auto potential = [&](const Field& x) { return force.term->potential(plan, force.values, time_ + 0.5 * h, x.data()); };
+    motion.energy.add(EnergyCause::Potentials, potential(x_) - potential(end));
+  }
+}
+
+}  // namespace hooke

@@ -1,0 +1,51 @@
+// The work of the listed forces, drag and dashpots, booked once per substep.
+#pragma once
+
+#include "sim/forces/motion.h"
+
+namespace hooke {
+
+// Where a force has a potential, its work is the difference of the potential, exact except for planes that move during the substep. For the
+// rest the power is integrated by Simpson's rule along the cubic through both ends of the method's step. Where the step does not resolve
+// the rate of the power, and where contact or the strain limit moved points afterwards, it is the power at the mean velocity of the substep
+// (the displacement over h), which never exceeds what was dissipated. Sweeps over dashpots report the kinetic energy that they take.
+//
+// Power instead of force times displacement, because a damping force that makes a step unstable still dissipates energy at every point of
+// the step, so that the gain stays unexplained.
+class PowerWork {
+ public:
+  // Call once per frame; a step never allocates. Drag and dashpots are measured on request: that costs about as much as a force evaluation
+  // for each substep.
+  void begin_frame(const Plan& plan, const Motion& motion, DashpotSweeps& sweeps, bool measures_damping);
+  void begin_substep(const Plan& plan, const Motion& motion);
+  // After the method's step of h and before anything else moves points. Completes motion.forces.
+  void end_step(const Plan& plan, Motion& motion, double h);
+  // The same after several steps that lasted h together, from the power at both ends: by the trapezoidal rule, or, where h does not resolve
+  // its rate, by its logarithmic mean, which is exact for exponential decay.
+  void end_steps(const Plan& plan, Motion& motion, double h);
+  // Adds the work since begin_substep to the ledger. `is_moved`: positions or velocities were changed after the method's step.
+  void end_substep(const Plan& plan, Motion& motion, double h, bool is_moved);
+  // A step was taken back or springs broke: the power at its end is not that at the start of the next one.
+  void forget_power() { is_power_current_ = false; }
+
+ private:
+  EnergyLedger power(const Plan& plan, double time, const Field& x, const Field& v) const;
+  EnergyLedger power_at_end(const Plan& plan, Motion& motion) const;
+  EnergyLedger displacement_work(const Plan& plan, double h, const Field& end);
+  void add_potential_work(const Plan& plan, Motion& motion, double h);
+  double work_of_sweeps(const Plan& plan, double h, const Motion& motion, bool is_moved) const;
+  bool has_power() const { return has_forces_ || measures_drag_ || measures_dashpots_; }
+
+  Field x_, v_;   // at the start of the substep
+  Field free_x_;  // after the method's step, where dashpots were swept
+  Field middle_x_, middle_v_;
+  DashpotSweeps* sweeps_ = nullptr;  // of the method
+  EnergyLedger power_;               // [W], at the end of the last step, if current
+  EnergyLedger work_;                // [J], of the step
+  bool is_power_current_ = false;
+  double time_ = 0.0;  // [s], at the start of the substep
+  bool has_forces_ = false, has_potential_ = false, has_air_ = false;
+  bool measures_drag_ = false, measures_dashpots_ = false;
+};
+
+}  // namespace hooke
