@@ -279,7 +279,7 @@ bool Lab::finish_frame() {
   }
   meter_frame(energy.total());
   companions_.add_frame(plan_, scene_.system, scene_.settings, scene_.state, next_);
-  const std::size_t filled = plan_.enclosures.enclosures.size();
+  const std::size_t filled = plan_.force_data.enclosures.enclosures.size();
   std::optional<Insert> torn = tear();
   if (torn) companions_.restart();
   std::swap(scene_.state, next_);
@@ -290,9 +290,9 @@ bool Lab::finish_frame() {
   if (energy.total() - supply.net_input <= explained_fraction * supply.scale) explained_until_ = scene_.state.time;
   ++frames_;
   if (torn) record_tear(*std::move(torn));
-  for (std::size_t left = plan_.enclosures.enclosures.size(); left < filled; ++left) gas_releases_.push_back(scene_.state.time);
+  for (std::size_t left = plan_.force_data.enclosures.enclosures.size(); left < filled; ++left) gas_releases_.push_back(scene_.state.time);
   hand_lag_ = hand_lag();
-  last_limit_work_ = explained(frame_.motion().energy, plan_.held || plan_.colliders_move)[EnergyCause::StrainLimit];
+  last_limit_work_ = explained(frame_.motion().energy, plan_.hand.held || plan_.collider_paths.any_moves)[EnergyCause::StrainLimit];
   limit_work_ += last_limit_work_;
   add_to_timeline(true);
   // the clock is a sum of frame durations: compare with a tolerance of half a frame

@@ -34,14 +34,14 @@ struct Statics {
 Statics make_statics(const System& system) {
   Statics statics{make_plan(system, Numbering::AsListed), {}};
   Plan& plan = statics.plan;
-  std::swap(statics.damping, plan.damping);
+  std::swap(statics.damping, plan.spring.damping);
   plan.drag = 0.0;
-  plan.pull.reset();
+  plan.hand.pull.reset();
   plan.forces.clear();
-  if (plan.held) {
-    const Point& point = system.points()[*plan.held];
-    plan.inverse_mass[*plan.held] = point.nailed ? 0.0 : 1.0 / point.mass;
-    plan.held.reset();
+  if (plan.hand.held) {
+    const Point& point = system.points()[*plan.hand.held];
+    plan.inverse_mass[*plan.hand.held] = point.nailed ? 0.0 : 1.0 / point.mass;
+    plan.hand.held.reset();
   }
   return statics;
 }
@@ -49,9 +49,9 @@ Statics make_statics(const System& system) {
 // The number of free points connected to a nail.
 Index count_supported(const Plan& plan) {
   DisjointSets sets(static_cast<std::size_t>(plan.points));
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e)
-      if (plan.stiffness[run.begin + e] > 0.0) sets.join(run.first + e, run.second + e);
+      if (plan.spring.stiffness[run.begin + e] > 0.0) sets.join(run.first + e, run.second + e);
   std::vector<bool> holds(plan.points, false);
   for (Index i = 0; i < plan.points; ++i)
     if (plan.inverse_mass[i] == 0.0) holds[sets.root(i)] = true;
@@ -71,7 +71,7 @@ double compute_force_scale(const Plan& plan) {
   for (Index i = 0; i < plan.points; ++i)
     if (plan.inverse_mass[i] != 0.0) sum += plan.mass[i] * plan.mass[i] * pull * pull;
   if (sum > 0.0) return std::sqrt(sum / count_free(plan));
-  for (Index s = 0; s < plan.springs; ++s) sum += std::pow(plan.stiffness[s] * plan.rest_length[s], 2);
+  for (Index s = 0; s < plan.springs; ++s) sum += std::pow(plan.spring.stiffness[s] * plan.spring.rest_length[s], 2);
   return std::sqrt(sum / plan.springs);
 }
 
@@ -110,10 +110,10 @@ bool touches_itself(const Plan& plan, const Field& x) {
   return !PairSearch().find(plan, x, extent, pairs, PairSolver::max_pairs) || !pairs.empty();
 }
 bool is_overstretched(const Plan& plan, const System& system, const Field& x) {
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      const Spring& spring = system.springs()[plan.spring_index[run.begin + e]];
-      if (plan.stiffness[run.begin + e] == 0.0) continue;
+      const Spring& spring = system.springs()[plan.spring.index[run.begin + e]];
+      if (plan.spring.stiffness[run.begin + e] == 0.0) continue;
       const double length = glm::distance(position_in(plan, x, run.first + e), position_in(plan, x, run.second + e));
       if (length >= system.break_length_of(spring)) return true;
       if (system.strain_limit > 0.0 && length > spring.rest_length * (1.0 + system.strain_limit)) return true;
@@ -144,9 +144,9 @@ Field initial_guess(const Plan& plan, const System& system, const State& state, 
 // length.
 void snap_rest_lengths(Plan& plan, const Field& x) {
   constexpr double round_off = 1e-4;
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      double& rest_length = plan.rest_length[run.begin + e];
+      double& rest_length = plan.spring.rest_length[run.begin + e];
       const double length = glm::distance(position_in(plan, x, run.first + e), position_in(plan, x, run.second + e));
       if (std::abs(length - rest_length) < round_off * rest_length) rest_length = length;
     }

@@ -70,9 +70,9 @@ long evaluations_per_step(const Integrator& method, const TestSim& sim) {
   pack(plan, sim.state, motion);
   if (method.prepare != nullptr) method.prepare(plan, h, motion, work);
   method.step(plan, motion, work, h);
-  const long before = motion.force_evaluations;
+  const long before = motion.counts.force_evaluations;
   method.step(plan, motion, work, h);
-  return motion.force_evaluations - before;
+  return motion.counts.force_evaluations - before;
 }
 
 void expect_equal(const TestSim& sim, const char* what, double tolerance) {

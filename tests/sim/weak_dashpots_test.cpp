@@ -24,7 +24,7 @@ long run(TestSim& sim, int frames, int substeps) {
   long sweeps = 0;
   for (int i = 0; i < frames; ++i) {
     sim.state = next_frame(plan, frame, sim.system, {.integrator = &velocity_verlet, .substeps = substeps}, sim.state);
-    sweeps += frame.motion().dashpot_sweeps;
+    sweeps += frame.motion().counts.dashpot_sweeps;
   }
   return sweeps;
 }
@@ -66,7 +66,7 @@ TestSim free_net(double damping) {
 TEST(WeakDashpots, KeepTheDeclaredOrder) {
   for (const double damping : {0.01, 0.1}) {
     const TestSim sim = net(17, 500.0, damping);
-    EXPECT_NEAR(measured_order([&](int substeps) { return error_of(sim, substeps); }, 40), velocity_verlet.order_damped, 0.1) << damping;
+    EXPECT_NEAR(measured_order([&](int substeps) { return error_of(sim, substeps); }, 40), velocity_verlet.order_with.damped, 0.1) << damping;
   }
   TestSim air = net(17, 500.0, 0.1);
   air.system.drag = 4.0;
@@ -83,7 +83,7 @@ double error_after(const TestSim& start, const State& truth, int count, bool wit
   pack(plan, start.state, motion);
   velocity_verlet.prepare(plan, h, motion, work);
   for (int i = 0; i < count; ++i, motion.time += h) velocity_verlet.step(plan, motion, work, h);
-  EXPECT_EQ(motion.dashpot_sweeps > 0, with_sweeps);
+  EXPECT_EQ(motion.counts.dashpot_sweeps > 0, with_sweeps);
   State state = start.state;
   unpack(plan, motion, state);
   return distance(state, truth);

@@ -46,8 +46,8 @@ WindRun run_in_wind(const TestSim& start, int frames, const Settings& settings) 
   WindRun result{.state = start.state};
   for (int i = 0; i < frames; ++i) {
     result.state = next_frame(plan, frame, start.system, settings, result.state);
-    result.evaluations += frame.motion().force_evaluations;
-    result.sweeps += frame.motion().dashpot_sweeps;
+    result.evaluations += frame.motion().counts.force_evaluations;
+    result.sweeps += frame.motion().counts.dashpot_sweeps;
     result.work += frame.motion().energy.forces();
   }
   return result;
@@ -75,7 +75,7 @@ TEST(WeakForces, KeepTheDeclaredOrder) {
         sim.system.drag = drag;
         const WindRun exact = exact_run(sim, 4);
         const auto error = [&](int substeps) { return distance(verlet_run(sim, 4, substeps).state, exact.state); };
-        EXPECT_NEAR(measured_order(error, 60), velocity_verlet.order_force_terms, 0.1) << damping << ' ' << wind[0] << ' ' << drag;
+        EXPECT_NEAR(measured_order(error, 60), velocity_verlet.order_with.force_terms, 0.1) << damping << ' ' << wind[0] << ' ' << drag;
       }
     }
 }
@@ -90,7 +90,7 @@ State state_after(const TestSim& start, int count, bool twice) {
   pack(plan, start.state, motion);
   velocity_verlet.prepare(plan, h, motion, work);
   for (int i = 0; i < count; ++i, motion.time += h) velocity_verlet.step(plan, motion, work, h);
-  EXPECT_EQ(motion.force_evaluations > count + 1, twice);
+  EXPECT_EQ(motion.counts.force_evaluations > count + 1, twice);
   State state = start.state;
   unpack(plan, motion, state);
   return state;

@@ -37,7 +37,7 @@ GridPass pass_of(const Plan& plan, double kick, double drift, const PassDashpots
 
 // Adds the forces of the springs outside grids to the external ones, if there are any, for a pass that adds those of grids.
 void set_other_forces(const Plan& plan, double time, const PassDashpots& dashpots, Motion& motion, GridPass& pass) {
-  if (plan.loose_runs.empty() && plan.forces.empty()) return;
+  if (plan.spring.loose_runs.empty() && plan.forces.empty()) return;
   compute_external_forces(plan, time, motion.x, motion.v, motion.a);
   add_loose_spring_forces(plan, motion.x.data(), dashpots.velocity != nullptr ? dashpots.velocity->data() : nullptr, motion.a.data());
   pass.f = motion.a.data();
@@ -47,7 +47,7 @@ void set_other_forces(const Plan& plan, double time, const PassDashpots& dashpot
 void advance_all(const Plan& plan, const GridPass& pass, Motion& motion, std::span<GridWatch> watches) {
   double *const x = motion.x.data(), *const v = motion.v.data();
   Index next = 0;
-  for (const Grid& grid : plan.grids) {
+  for (const Grid& grid : plan.spring.grids) {
     for (GridWatch& watch : watches) advance_points(plan, next, grid.first, pass, x, v, watch);
     advance_grid(plan, grid, pass, x, v, watches);
     next = grid.first + grid.points();
@@ -67,7 +67,7 @@ void record(const GridWatch& watch, double drift, Flight& flight) {
 }  // namespace
 
 bool can_fly(const Plan& plan) {
-  return !plan.held && !plan.pull && !plan.colliders_move && !plan.grabbed_collider &&
+  return !plan.hand.held && !plan.hand.pull && !plan.collider_paths.any_moves && !plan.collider_paths.grabbed &&
          std::ranges::all_of(plan.forces, [](const Force& force) {
            const ForceTerm& term = *force.term;
            return term.potential != nullptr && !force.depends_on_velocity() &&
@@ -80,7 +80,7 @@ void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift,
   set_other_forces(plan, motion.time, dashpots, motion, pass);
   motion.acceleration_is_current = false;
 
-  GridWatch watch{.any_at_limit = any_reaches_limit(plan, plan.loose_runs, motion.x)};
+  GridWatch watch{.any_at_limit = any_reaches_limit(plan, plan.spring.loose_runs, motion.x)};
   advance_all(plan, pass, motion, {&watch, 1});
   record(watch, drift, flight);
 }
@@ -94,7 +94,7 @@ void advance_at_once(const Plan& plan, const GridPass& pass, Motion& motion, int
   advance_all(plan, pass, motion, {watches.data(), static_cast<std::size_t>(steps)});
   for (int i = 0; i < steps && !flight.was_interrupted(); ++i) {
     record(watches[i], pass.drift, flight);
-    ++motion.force_evaluations;
+    ++motion.counts.force_evaluations;
     motion.time += pass.drift;
   }
 }
@@ -106,16 +106,16 @@ void kick_and_drift_steps(const Plan& plan, Motion& motion, double h, int steps,
   if (plan.execution.single != nullptr) {
     plan.execution.single->advance(plan, pass, steps, motion);
     motion.acceleration_is_current = false;
-    motion.force_evaluations += steps;
+    motion.counts.force_evaluations += steps;
     motion.time += steps * h;
-  } else if (plan.execution.team != nullptr && plan.loose_runs.empty() && plan.forces.empty()) {
+  } else if (plan.execution.team != nullptr && plan.spring.loose_runs.empty() && plan.forces.empty()) {
     motion.acceleration_is_current = false;
     for (int done = 0; done < steps && !flight.was_interrupted(); done += max_grid_passes)
       advance_at_once(plan, pass, motion, std::min(steps - done, max_grid_passes), flight);
   } else {
     for (int i = 0; i < steps && !flight.was_interrupted(); ++i) {
       kick_and_drift(plan, motion, h, h, dashpots, flight);
-      ++motion.force_evaluations;
+      ++motion.counts.force_evaluations;
       motion.time += h;
     }
   }
@@ -155,7 +155,7 @@ void advance_changed(const Plan& plan, const GridPass& pass, const Motion::Moved
   double *const x = motion.x.data(), *const v = motion.v.data();
   GridWatch watch;
   Index next = 0;
-  for (const Grid& grid : plan.grids) {
+  for (const Grid& grid : plan.spring.grids) {
     advance_points(plan, next, grid.first, pass, x, v, watch);
     next = grid.first + grid.points();
     const RowRange rows = changed_rows(grid, moved);
@@ -169,14 +169,14 @@ void advance_changed(const Plan& plan, const GridPass& pass, const Motion::Moved
 }  // namespace
 
 bool can_accelerate_and_kick(const Plan& plan) { return can_accelerate_and_kick_with(plan) && plan.forces.empty(); }
-bool can_accelerate_and_kick_with(const Plan& plan) { return !plan.grids.empty() && !plan.pull; }
+bool can_accelerate_and_kick_with(const Plan& plan) { return !plan.spring.grids.empty() && !plan.hand.pull; }
 
 void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift, const PassDashpots& dashpots,
                          const Motion::Moved& moved) {
   GridPass pass = pass_of(plan, kick, drift, dashpots);
   pass.a = motion.a.data();
   set_other_forces(plan, time, dashpots, motion, pass);
-  if (moved.first < moved.end && plan.loose_runs.empty()) return advance_changed(plan, pass, moved, motion);
+  if (moved.first < moved.end && plan.spring.loose_runs.empty()) return advance_changed(plan, pass, moved, motion);
   GridWatch watch;
   advance_all(plan, pass, motion, {&watch, 1});
 }
@@ -186,7 +186,7 @@ void accelerate_and_kick_with(const Plan& plan, const Field& external, Motion& m
   GridPass pass = pass_of(plan, kick, drift, dashpots);
   pass.a = motion.a.data();
   pass.f = external.data();
-  if (!plan.loose_runs.empty()) {
+  if (!plan.spring.loose_runs.empty()) {
     std::ranges::copy(external, motion.a.begin());
     add_loose_spring_forces(plan, motion.x.data(), pass.dashpot_velocity, motion.a.data());
     pass.f = motion.a.data();

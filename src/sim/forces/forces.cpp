@@ -14,11 +14,11 @@ void set_gravity(const Plan& plan, Field& f) {
 
 // E = k/2 |sum s_i x_i - target|^2, f_i = -k s_i (sum s_j x_j - target)
 void add_pull(const Plan& plan, double time, const Field& x, Field& f) {
-  const Vec3 target = plan.pull->target_at(time);
+  const Vec3 target = plan.hand.pull->target_at(time);
   for (int c = 0; c < plan.dimensions; ++c) {
     const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
-    const double stretch = plan.pull->interpolate(&x[begin]) - target[c];
-    for (const auto& [point, weight] : plan.pull->points()) f[begin + point] -= plan.pull->stiffness * weight * stretch;
+    const double stretch = plan.hand.pull->interpolate(&x[begin]) - target[c];
+    for (const auto& [point, weight] : plan.hand.pull->points()) f[begin + point] -= plan.hand.pull->stiffness * weight * stretch;
   }
 }
 
@@ -66,7 +66,7 @@ void compute_external_forces(const Plan& plan, double time, const Field& x, cons
 
 void add_inner_forces(const Plan& plan, double time, const Field& x, const Field* v, Field& f) {
   add_spring_forces(plan, x.data(), v != nullptr ? v->data() : nullptr, f.data());
-  if (plan.pull) add_pull(plan, time, x, f);
+  if (plan.hand.pull) add_pull(plan, time, x, f);
 }
 
 void compute_unlisted_forces(const Plan& plan, double time, const Field& x, Field& f) {
@@ -95,19 +95,19 @@ void compute_forces(const Plan& plan, double time, const Field& x, const Field& 
 }
 
 void compute_accelerations(const Plan& plan, double time, const Field& x, const Field& v, Field& a) {
-  if (plan.grids.empty() || plan.pull || !plan.forces.empty() || plan.drag != 0.0) {
+  if (plan.spring.grids.empty() || plan.hand.pull || !plan.forces.empty() || plan.drag != 0.0) {
     compute_forces(plan, time, x, v, a);
     divide_by_mass(plan, a);
     return;
   }
   const double* const velocity = plan.has_dashpots() ? v.data() : nullptr;
-  const bool has_others = !plan.loose_runs.empty();
+  const bool has_others = !plan.spring.loose_runs.empty();
   if (has_others) {
     set_gravity(plan, a);
     add_loose_spring_forces(plan, x.data(), velocity, a.data());
   }
   Index next = 0;
-  for (const Grid& grid : plan.grids) {
+  for (const Grid& grid : plan.spring.grids) {
     accelerate_points(plan, next, grid.first, has_others, a);
     accelerate_grid(plan, grid, x.data(), velocity, has_others ? a.data() : nullptr, a.data());
     next = grid.first + grid.points();

@@ -20,7 +20,7 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
   motion.x.resize(size);
   motion.v.resize(size);
   motion.a.resize(size);
-  if (plan.forces_depend_on_velocity) motion.forces.resize(size);
+  if (plan.force_data.depend_on_velocity) motion.forces.resize(size);
   for (int c = 0; c < plan.dimensions; ++c) {
     double* x = motion.x.data() + static_cast<std::size_t>(c) * plan.points;
     double* v = motion.v.data() + static_cast<std::size_t>(c) * plan.points;
@@ -34,8 +34,8 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
   motion.contents = Motion::Forces::None;
   motion.moved = {};
   motion.memory = state.memory;
-  motion.force_evaluations = motion.factorizations = motion.solves = motion.sweeps = motion.dashpot_sweeps = motion.unconverged_solves = 0;
-  motion.contact_tests = motion.contact_impulses = motion.limit_sweeps = motion.crossings = 0;
+  motion.counts.force_evaluations = motion.counts.factorizations = motion.counts.solves = motion.counts.sweeps = motion.counts.dashpot_sweeps = motion.counts.unconverged_solves = 0;
+  motion.counts.contact_tests = motion.counts.contact_impulses = motion.counts.limit_sweeps = motion.crossings = 0;
   motion.energy = {};
   motion.local_error = 0.0;
   motion.breaks.clear();
@@ -65,10 +65,10 @@ void kick(const Plan& plan, const Field& a, double h, Field& velocity) {
   }
 
   Vec3 held{0.0};
-  for (int c = 0; plan.held && c < plan.dimensions; ++c) held[c] = v[static_cast<std::size_t>(c) * plan.points + *plan.held];
+  for (int c = 0; plan.hand.held && c < plan.dimensions; ++c) held[c] = v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held];
   const double decay = portable::exp(-plan.drag * h), weight = -portable::expm1(-plan.drag * h) / plan.drag;
   scale_and_add_scaled(v, decay, weight, a.data(), velocity.size());
-  for (int c = 0; plan.held && c < plan.dimensions; ++c) v[static_cast<std::size_t>(c) * plan.points + *plan.held] = held[c];
+  for (int c = 0; plan.hand.held && c < plan.dimensions; ++c) v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held] = held[c];
 }
 
 }  // namespace

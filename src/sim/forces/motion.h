@@ -63,14 +63,14 @@ class Structure {
   explicit Structure(const Plan& plan)
       : points_(plan.points),
         dimensions_(plan.dimensions),
-        runs_(plan.runs),
-        hinge_begin_(plan.hinges.begin),
-        hinge_column_(plan.hinges.column),
-        enclosure_edges_(plan.enclosures.edges) {}
+        runs_(plan.spring.runs),
+        hinge_begin_(plan.force_data.hinges.begin),
+        hinge_column_(plan.force_data.hinges.column),
+        enclosure_edges_(plan.force_data.enclosures.edges) {}
   virtual ~Structure() = default;
   bool fits(const Plan& plan) const {
-    return plan.points == points_ && plan.dimensions == dimensions_ && plan.runs == runs_ && plan.hinges.begin == hinge_begin_ &&
-           plan.hinges.column == hinge_column_ && plan.enclosures.edges == enclosure_edges_;
+    return plan.points == points_ && plan.dimensions == dimensions_ && plan.spring.runs == runs_ && plan.force_data.hinges.begin == hinge_begin_ &&
+           plan.force_data.hinges.column == hinge_column_ && plan.force_data.enclosures.edges == enclosure_edges_;
   }
 
  private:

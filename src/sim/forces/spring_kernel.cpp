@@ -95,9 +95,9 @@ HWY_INLINE void compute_block(const Plan& plan, Index packed, Index count, const
   const hn::ScalableTag<double> wide;
   const hn::CappedTag<double, 1> single;
   const Index lanes = static_cast<Index>(hn::Lanes(wide));
-  const double* stiffness = plan.stiffness.data() + packed;
-  const double* rest_length = plan.rest_length.data() + packed;
-  const double* damping = Damped ? plan.damping.data() + packed : nullptr;
+  const double* stiffness = plan.spring.stiffness.data() + packed;
+  const double* rest_length = plan.spring.rest_length.data() + packed;
+  const double* damping = Damped ? plan.spring.damping.data() + packed : nullptr;
   if (count >= lanes) {
     for (Index e = 0; e < count; e += lanes)
       compute_forces_of<Dimensions, Damped>(wide, e + lanes <= count ? e : count - lanes, x, v, stiffness, rest_length, damping, force);
@@ -191,7 +191,7 @@ HWY_INLINE const SpringRun* add_short_runs(const Plan& plan, const SpringRun* ru
 constexpr Index max_points_in_fours = 512;
 bool is_in_fours(const Plan& plan) {
   constexpr Index max_length = 10;
-  return plan.points <= max_points_in_fours && plan.springs <= max_length * static_cast<Index>(plan.runs.size());
+  return plan.points <= max_points_in_fours && plan.springs <= max_length * static_cast<Index>(plan.spring.runs.size());
 }
 
 using Four = hn::CappedTag<double, 4>;
@@ -298,13 +298,13 @@ void add_forces_in_fours(const Plan& plan, const double* x, double* f) {
     for (const RunPart* part = parts; part != parts + part_count; term += 4 * part++->count) accumulate_fours(*part, term, f_of);
     count = part_count = 0;
   };
-  for (const SpringRun& run : plan.loose_runs)
+  for (const SpringRun& run : plan.spring.loose_runs)
     for (Index start = 0; start < run.count; start += block) {
       const RunPart part{run.first + start, run.second + start, HWY_MIN(block, run.count - start)};
       if (count + part.count > block) add_block();
       for (Index e = 0; e < part.count; ++e) {
-        springs.stiffness[count + e] = plan.stiffness[run.begin + start + e];
-        springs.rest_length[count + e] = plan.rest_length[run.begin + start + e];
+        springs.stiffness[count + e] = plan.spring.stiffness[run.begin + start + e];
+        springs.rest_length[count + e] = plan.spring.rest_length[run.begin + start + e];
         hn::StoreU(hn::Sub(hn::LoadU(four, x_of + 4 * (part.first + e)), hn::LoadU(four, x_of + 4 * (part.second + e))), four,
                    springs.along + 4 * (count + e));
       }
@@ -324,8 +324,8 @@ void add_forces(const Plan& plan, const double* x, const double* v, double* f) {
   }
 #endif
   HWY_ALIGN double force[3][block + 2 * padding] = {};
-  const SpringRun* const end = plan.loose_runs.data() + plan.loose_runs.size();
-  for (const SpringRun* run = plan.loose_runs.data(); run != end;) {
+  const SpringRun* const end = plan.spring.loose_runs.data() + plan.spring.loose_runs.size();
+  for (const SpringRun* run = plan.spring.loose_runs.data(); run != end;) {
     if (is_gathered(*run))
       run = add_short_runs<Dimensions, Damped>(plan, run, end, x, v, f, force);
     else
@@ -350,7 +350,7 @@ HWY_EXPORT(add_damped_forces_2d);
 HWY_EXPORT(add_damped_forces_3d);
 
 void add_loose_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {
-  if (plan.loose_runs.empty()) return;
+  if (plan.spring.loose_runs.empty()) return;
   if (plan.dimensions == 2)
     v != nullptr ? HWY_DYNAMIC_DISPATCH(add_damped_forces_2d)(plan, x, v, f) : HWY_DYNAMIC_DISPATCH(add_forces_2d)(plan, x, v, f);
   else
@@ -359,7 +359,7 @@ void add_loose_spring_forces(const Plan& plan, const double* x, const double* v,
 
 void add_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {
   add_loose_spring_forces(plan, x, v, f);
-  for (const Grid& grid : plan.grids) add_grid_forces(plan, grid, x, v, f);
+  for (const Grid& grid : plan.spring.grids) add_grid_forces(plan, grid, x, v, f);
 }
 
 }  // namespace hooke

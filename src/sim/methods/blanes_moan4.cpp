@@ -42,7 +42,7 @@ void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) 
 void accelerate(const Plan& plan, double time, const Field& v, Motion& motion) {
   compute_position_forces(plan, time, motion.x, v, motion.a);
   divide_by_mass(plan, motion.a);
-  ++motion.force_evaluations;
+  ++motion.counts.force_evaluations;
 }
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
@@ -59,24 +59,24 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
     const double next_drift = i + 1 < drifts ? drift_weight[i + 1] * h : 0.0;
     if (can_accelerate_and_kick(plan)) {
       accelerate_and_kick(plan, time, motion, kick_weight[i + 1] * h, next_drift);
-      ++motion.force_evaluations;
+      ++motion.counts.force_evaluations;
       continue;
     }
-    if (plan.forces_depend_on_velocity) predict_velocity(plan, motion, prediction_weight(i + 1) * h, velocity);
-    accelerate(plan, time, plan.forces_depend_on_velocity ? velocity : motion.v, motion);
+    if (plan.force_data.depend_on_velocity) predict_velocity(plan, motion, prediction_weight(i + 1) * h, velocity);
+    accelerate(plan, time, plan.force_data.depend_on_velocity ? velocity : motion.v, motion);
     kick(plan, motion, kick_weight[i + 1] * h);
     if (i + 1 < drifts) drift(motion, next_drift);
   }
-  motion.acceleration_is_current = !plan.forces_depend_on_velocity;
+  motion.acceleration_is_current = !plan.force_data.depend_on_velocity;
 
   if (plan.has_dashpots()) work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
-  motion.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
+  motion.counts.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
 }
 
 void accelerate_and_kick_last(const Plan& plan, Motion& motion, double h) {
   if (can_accelerate_and_kick(plan)) {
     accelerate_and_kick(plan, motion.time, motion, kick_weight[drifts] * h, 0.0);
-    ++motion.force_evaluations;
+    ++motion.counts.force_evaluations;
   } else {
     accelerate(plan, motion.time, motion.v, motion);
     kick(plan, motion, kick_weight[drifts] * h);
@@ -91,7 +91,7 @@ void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count,
   double start = motion.time;
   bool is_kicked = false;
   for (int i = 0; i < count && !flight.was_interrupted(); ++i) {
-    if (damped && i > 0) flight.any_at_limit = flight.any_at_limit || any_reaches_limit(plan, plan.runs, motion.x);
+    if (damped && i > 0) flight.any_at_limit = flight.any_at_limit || any_reaches_limit(plan, plan.spring.runs, motion.x);
     if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.acceleration_is_current, motion.x, motion.v);
     if (!is_kicked) {
       if (!motion.acceleration_is_current) accelerate(plan, start, motion.v, motion);
@@ -100,7 +100,7 @@ void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count,
     motion.time = start + drift_weight[0] * h;
     for (int k = 1; k < drifts; ++k) {
       kick_and_drift(plan, motion, kick_weight[k] * h, drift_weight[k] * h, {}, flight);
-      ++motion.force_evaluations;
+      ++motion.counts.force_evaluations;
       motion.time += drift_weight[k] * h;
     }
     start += h;
@@ -108,12 +108,12 @@ void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count,
     is_kicked = !damped && i + 1 < count;
     if (is_kicked) {
       kick_and_drift(plan, motion, (kick_weight[drifts] + kick_weight[0]) * h, drift_weight[0] * h, {}, flight);
-      ++motion.force_evaluations;
+      ++motion.counts.force_evaluations;
     } else {
       accelerate_and_kick_last(plan, motion, h);
     }
     if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
-    motion.dashpot_sweeps += damped ? 2 : 0;
+    motion.counts.dashpot_sweeps += damped ? 2 : 0;
   }
   // contact examines the paths of whole steps
   flight.max_drift = std::max(flight.max_drift, h);

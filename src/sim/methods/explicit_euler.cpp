@@ -8,7 +8,7 @@ namespace {
 
 void step(const Plan& plan, Motion& motion, Workspace&, double h) {
   compute_accelerations(plan, motion.time, motion.x, motion.v, motion.a);
-  ++motion.force_evaluations;
+  ++motion.counts.force_evaluations;
 
   for (std::size_t i = 0; i < motion.x.size(); ++i) {
     motion.x[i] += h * motion.v[i];

@@ -14,7 +14,7 @@ namespace {
 void step(const Plan& plan, Motion& motion, Workspace&, double h) {
   compute_explicit_forces(plan, motion.time, motion.x, motion.v, motion.a);
   divide_by_mass(plan, motion.a);
-  ++motion.force_evaluations;
+  ++motion.counts.force_evaluations;
 
   kick(plan, motion, h);
   drift(motion, h);

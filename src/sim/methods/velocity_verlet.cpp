@@ -41,7 +41,7 @@ bool are_dashpots_weak(const Plan& plan, double h) {
          0.25 * h_omega * h_omega + h_lambda <= margin;
 }
 bool has_weak_dashpots(const Plan& plan, double h) {
-  return plan.has_dashpots() && !plan.forces_depend_on_velocity && are_dashpots_weak(plan, h);
+  return plan.has_dashpots() && !plan.force_data.depend_on_velocity && are_dashpots_weak(plan, h);
 }
 
 // Whether the listed forces, some of which depend on velocity, are evaluated once per step. All must work by a power, which is that
@@ -49,26 +49,26 @@ bool has_weak_dashpots(const Plan& plan, double h) {
 bool has_weak_forces(const Plan& plan, double h) {
   constexpr double max_rate = 0.1;
   const auto works_by_power = [](const Force& force) { return force.term->power != nullptr && force.term->potential == nullptr; };
-  return plan.forces_depend_on_velocity && plan.springs >= min_springs_of_grids &&
+  return plan.force_data.depend_on_velocity && plan.springs >= min_springs_of_grids &&
          h * (plan.spectrum.force_rate + plan.spectrum.estimated_rate) <= max_rate && std::ranges::all_of(plan.forces, works_by_power) &&
          (!plan.has_dashpots() || are_dashpots_weak(plan, h));
 }
 
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
-  work.size_fields(plan.forces_depend_on_velocity ? 2 : plan.has_dashpots() ? 1 : 0, motion);
+  work.size_fields(plan.force_data.depend_on_velocity ? 2 : plan.has_dashpots() ? 1 : 0, motion);
   if (plan.has_dashpots() && !has_weak_dashpots(plan, h) && !has_weak_forces(plan, h)) work.dashpots.prepare(plan, 0.5 * h);
 }
 
 void accelerate(const Plan& plan, double time, Motion& motion) {
   compute_position_forces(plan, time, motion.x, motion.v, motion.a);
   divide_by_mass(plan, motion.a);
-  ++motion.force_evaluations;
+  ++motion.counts.force_evaluations;
 }
 
 void accelerate_and_kick_half(const Plan& plan, double time, Motion& motion, double h) {
   if (can_accelerate_and_kick(plan)) {
     accelerate_and_kick(plan, time, motion, 0.5 * h, 0.0);
-    ++motion.force_evaluations;
+    ++motion.counts.force_evaluations;
   } else {
     accelerate(plan, time, motion);
     kick(plan, motion, 0.5 * h);
@@ -93,7 +93,7 @@ void kick_and_drift_with_velocity(const Plan& plan, Motion& motion, Workspace& w
   motion.a = motion.forces;
   add_force_terms(plan, motion.time + h, motion.x, velocity, motion.a);
   kick_and_drift_with_forces(plan, motion, motion.a, 0.5 * h, 0.0, {});
-  motion.force_evaluations += 2;
+  motion.counts.force_evaluations += 2;
 }
 
 // The forces at the end of the step from those in motion.forces, which contain gravity.
@@ -127,7 +127,7 @@ void accelerate_and_kick_with_forces(const Plan& plan, double time, Motion& moti
     Flight alone;
     kick_and_drift_with_known(plan, motion, kick, drift, {.predicted = dashpots.predicted, .ahead = dashpots.ahead}, alone);
   }
-  ++motion.force_evaluations;
+  ++motion.counts.force_evaluations;
 }
 
 // Weak dashpots, if there are any, are among the forces as above.
@@ -157,7 +157,7 @@ void step_with_weak_forces(const Plan& plan, Motion& motion, Workspace& work, do
 void kick_and_drift_alone(const Plan& plan, Motion& motion, double h) {
   if (!motion.acceleration_is_current && can_accelerate_and_kick(plan)) {
     accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h, {}, std::exchange(motion.moved, {}));
-    ++motion.force_evaluations;
+    ++motion.counts.force_evaluations;
   } else {
     if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion);
     kick(plan, motion, 0.5 * h);
@@ -170,13 +170,13 @@ void kick_and_drift_alone(const Plan& plan, Motion& motion, double h) {
 void accelerate_damped(const Plan& plan, double time, const Field& velocity, Motion& motion) {
   compute_explicit_forces(plan, time, motion.x, velocity, motion.a);
   divide_by_mass(plan, motion.a);
-  ++motion.force_evaluations;
+  ++motion.counts.force_evaluations;
 }
 
 void accelerate_damped_and_kick(const Plan& plan, double time, const Field& velocity, Motion& motion, double h) {
   if (can_accelerate_and_kick(plan)) {
     accelerate_and_kick(plan, time, motion, 0.5 * h, 0.0, {.velocity = &velocity});
-    ++motion.force_evaluations;
+    ++motion.counts.force_evaluations;
   } else {
     accelerate_damped(plan, time, velocity, motion);
     kick(plan, motion, 0.5 * h);
@@ -201,7 +201,7 @@ void step_weakly_damped(const Plan& plan, Motion& motion, Workspace& work, doubl
   motion.moved = {};
   if (!motion.acceleration_is_current && can_accelerate_and_kick(plan)) {
     accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h, {.velocity = &motion.v, .predicted = &velocity, .ahead = 0.5 * h});
-    ++motion.force_evaluations;
+    ++motion.counts.force_evaluations;
   } else {
     if (!motion.acceleration_is_current) accelerate_damped(plan, motion.time, motion.v, motion);
     Flight alone;
@@ -214,13 +214,13 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   if (has_weak_dashpots(plan, h)) return step_weakly_damped(plan, motion, work, h);
   if (has_weak_forces(plan, h)) return step_with_weak_forces(plan, motion, work, h);
   if (plan.has_dashpots()) work.dashpots.sweep(plan, SweepDirection::Forward, motion.acceleration_is_current, motion.x, motion.v);
-  if (plan.forces_depend_on_velocity)
+  if (plan.force_data.depend_on_velocity)
     kick_and_drift_with_velocity(plan, motion, work, h);
   else
     kick_and_drift_alone(plan, motion, h);
   motion.acceleration_is_current = true;
   if (plan.has_dashpots()) work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
-  motion.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
+  motion.counts.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
 }
 
 // Drag and dashpots are left out: they do not conserve energy.
@@ -231,7 +231,7 @@ double modified_energy(const Plan& plan, const Motion& motion, double h) {
 // The last kick of a step and the first of the next are one of h; forces are evaluated within the pass that kicks and drifts.
 void fly_damped(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) {
   for (int i = 0; i < count && !flight.was_interrupted(); ++i) {
-    if (i > 0) flight.any_at_limit = flight.any_at_limit || any_reaches_limit(plan, plan.runs, motion.x);
+    if (i > 0) flight.any_at_limit = flight.any_at_limit || any_reaches_limit(plan, plan.spring.runs, motion.x);
     work.dashpots.sweep(plan, SweepDirection::Forward, motion.acceleration_is_current, motion.x, motion.v);
     if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion);
     kick_and_drift_with_known(plan, motion, 0.5 * h, h, {}, flight);
@@ -239,7 +239,7 @@ void fly_damped(const Plan& plan, Motion& motion, Workspace& work, double h, int
     accelerate_and_kick_half(plan, motion.time, motion, h);
     motion.acceleration_is_current = true;
     work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
-    motion.dashpot_sweeps += 2;
+    motion.counts.dashpot_sweeps += 2;
   }
 }
 

@@ -27,7 +27,7 @@ void prepare(const Plan& plan, double h, const Motion&, Workspace& work) {
 
 // The hand's spring has no rest length: all of its displacement is along it.
 void pull(const Plan& plan, Motion& motion, double h) {
-  const PlannedPull& hand = *plan.pull;
+  const PlannedPull& hand = *plan.hand.pull;
   const double k = hand.stiffness, phi = drag_weight(plan.drag, h);
   double w = 0.0;
   for (const auto& [point, weight] : hand.points()) w += weight * weight * plan.inverse_mass[point];
@@ -65,8 +65,8 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
     kick(plan, motion, h);
 
   structure_of<Constraints>(work).sweep(plan, h, motion.x, motion.v);
-  if (plan.pull) pull(plan, motion, h);
-  ++motion.sweeps;
+  if (plan.hand.pull) pull(plan, motion, h);
+  ++motion.counts.sweeps;
 
   advance(plan, motion.v, h, motion.x);
 }

@@ -16,7 +16,7 @@ void store(const Motion& motion, ContactWorkspace& state) {
 }
 
 // Without contact and a strain limit a step needs no correction.
-bool has_corrections(const Plan& plan) { return plan.has_contact() || !plan.max_length.empty(); }
+bool has_corrections(const Plan& plan) { return plan.has_contact() || !plan.spring.max_length.empty(); }
 
 }  // namespace
 
@@ -113,7 +113,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
   const Step step{plan, method, motion, work, works};
   // the strain limit is imposed once per substep and does not converge with the step, so that no step would be short enough for it; contact
   // of faces and springs is of first order, with impacts that never end while a cloth folds
-  if (has_corrections(plan) && work.tolerance && plan.max_length.empty() && !plan.surface.on)
+  if (has_corrections(plan) && work.tolerance && plan.spring.max_length.empty() && !plan.surface.on)
     return advance_within_tolerance(step, interval, left);
 
   if (has_corrections(plan)) store(motion, before_);

@@ -22,20 +22,20 @@ double stretch_energy(const System& system, double displacement) {
 // A held point moves in a straight line to the target, as a point of infinite mass with that velocity: exact for every method.
 HandMotion move_hand(const Plan& plan, const System& system, const State& state, double duration, int substeps, Motion& motion) {
   HandMotion hand;
-  if (plan.grabbed_collider) hand.collider_displacement = duration * plan.grabbed_collider->velocity;
+  if (plan.collider_paths.grabbed) hand.collider_displacement = duration * plan.collider_paths.grabbed->velocity;
   const std::optional<ActiveGrab> grab = active_grab(system, state, duration);
   Vec3 displacement(0.0);
   if (grab) {
     const Vec3 from = system.grab ? state.hand.position : state.position[system.index_of(grab->point)];
     hand.target = clamp_hand_target(system, from, grab->target, duration);
-    displacement = hand.target - (plan.held ? state.position[plan.listed_index(*plan.held)] : from);
+    displacement = hand.target - (plan.hand.held ? state.position[plan.listed_index(*plan.hand.held)] : from);
     hand.stretch = stretch_energy(system, glm::length(displacement) / substeps);
   }
   hand.speed = (glm::length(displacement) + glm::length(hand.collider_displacement)) / duration;
-  if (plan.held) {
-    const Vec3 velocity = displacement / duration, before = state.velocity[plan.listed_index(*plan.held)];
-    for (int c = 0; c < plan.dimensions; ++c) motion.v[static_cast<std::size_t>(c) * plan.points + *plan.held] = velocity[c];
-    motion.energy.add(EnergyCause::Hand, 0.5 * plan.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before)));
+  if (plan.hand.held) {
+    const Vec3 velocity = displacement / duration, before = state.velocity[plan.listed_index(*plan.hand.held)];
+    for (int c = 0; c < plan.dimensions; ++c) motion.v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held] = velocity[c];
+    motion.energy.add(EnergyCause::Hand, 0.5 * plan.hand.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before)));
   }
   return hand;
 }
@@ -64,9 +64,9 @@ void Frame::end(const Plan& plan, State& state) const {
 
   state.hand.position = hand_.target;
   if (auto& carried = state.hand.collider) carried->shape = translated(carried->shape, hand_.collider_displacement);
-  if (plan.held)
-    for (int c = 0; c < plan.dimensions; ++c) state.position[plan.listed_index(*plan.held)][c] = hand_.target[c];
-  record_frame_energy(plan, explained(motion_.energy, plan.held || plan.colliders_move), hand_, state);
+  if (plan.hand.held)
+    for (int c = 0; c < plan.dimensions; ++c) state.position[plan.listed_index(*plan.hand.held)][c] = hand_.target[c];
+  record_frame_energy(plan, explained(motion_.energy, plan.hand.held || plan.collider_paths.any_moves), hand_, state);
 }
 
 }  // namespace hooke

@@ -35,17 +35,17 @@ void Substep::begin_frame(Plan& plan, const Settings& settings, Motion& motion) 
   h_ = 1.0 / settings.frame_rate / count_;
   left_ = prepared_ = h_;
   one_by_one_ = 0;
-  locates_breaks_ = settings.locates_breaks && !plan.break_length.empty();
+  locates_breaks_ = settings.locates_breaks && !plan.spring.break_length.empty();
   has_touched_ = has_impact_ = false;
   failure_ = StepFailure::None;
   broken_.clear();
-  broken_.reserve(plan.break_length.size());
-  motion.breaks.reserve(plan.break_length.size());
+  broken_.reserve(plan.spring.break_length.size());
+  motion.breaks.reserve(plan.spring.break_length.size());
 
   work_.tolerance = settings.tolerance;
   work_.min_step = min_step_fraction * h_;
   // where springs have a largest length or touch each other, nothing but a measurement tells how much damping may have dissipated
-  const bool measures_damping = settings.measures_damping || plan.touches_itself() || !plan.max_length.empty();
+  const bool measures_damping = settings.measures_damping || plan.touches_itself() || !plan.spring.max_length.empty();
   works_.begin_frame(plan, motion, work_.dashpots, measures_damping);
   before_.begin_frame();
   before_.velocity_lag = method_->velocity_lag;
@@ -70,7 +70,7 @@ int Substep::advance(Plan& plan, Motion& motion, int done) {
   if (const int flown = fly(plan, motion, done); flown > 0) return flown;
 
   const EnergyLedger ledger = motion.energy;
-  const long evaluations = motion.force_evaluations, sweeps = motion.dashpot_sweeps;
+  const long evaluations = motion.counts.force_evaluations, sweeps = motion.counts.dashpot_sweeps;
   const bool knew_acceleration = motion.acceleration_is_current;
   bool is_moved = false;
   const double length = step(plan, motion, done, is_moved);
@@ -88,15 +88,15 @@ int Substep::advance(Plan& plan, Motion& motion, int done) {
 
   // where contact has left every bit as it was, the rest of the frame is as this substep: dashpots among the forces would act at velocities
   // that the state does not contain
-  const bool is_state_complete = !plan.has_dashpots() || motion.dashpot_sweeps > sweeps;
+  const bool is_state_complete = !plan.has_dashpots() || motion.counts.dashpot_sweeps > sweeps;
   if (!is_moved || knew_acceleration || !is_state_complete || !is_at_rest(plan, motion)) return 1;
   EnergyLedger of_substep = motion.energy;
   of_substep -= ledger;
-  const long more_evaluations = motion.force_evaluations - evaluations, more_sweeps = motion.dashpot_sweeps - sweeps;
+  const long more_evaluations = motion.counts.force_evaluations - evaluations, more_sweeps = motion.counts.dashpot_sweeps - sweeps;
   const int rest = count_ - done;
   motion.energy += of_substep *= rest;
-  motion.force_evaluations += rest * more_evaluations;
-  motion.dashpot_sweeps += rest * more_sweeps;
+  motion.counts.force_evaluations += rest * more_evaluations;
+  motion.counts.dashpot_sweeps += rest * more_sweeps;
   motion.time = time_after(count_);
   return 1 + rest;
 }
@@ -104,7 +104,7 @@ int Substep::advance(Plan& plan, Motion& motion, int done) {
 // A step of at most the time that is left of the substep, with all that belongs to it but the breaks. Returns its length [s]; 0: it failed.
 double Substep::step(Plan& plan, Motion& motion, int done, bool& is_moved) {
   sticking_.begin_step(plan, motion);
-  const bool lags = method_->velocity_lag != 0.0 && !plan.max_length.empty();
+  const bool lags = method_->velocity_lag != 0.0 && !plan.spring.max_length.empty();
   if ((plan.has_contact() || lags) && !is_adaptive()) keep_start(plan, motion, before_);
   const HandWork hand(plan, motion);
 
@@ -158,7 +158,7 @@ bool Substep::correct(const Plan& plan, Motion& motion, double h) {
 }
 
 void Substep::break_long_springs(Plan& plan, Motion& motion) {
-  if (plan.break_length.empty() || !break_springs(plan, motion, broken_)) return;
+  if (plan.spring.break_length.empty() || !break_springs(plan, motion, broken_)) return;
   motion.acceleration_is_current = false;
   motion.moved = {};
   works_.forget_power();
@@ -168,7 +168,7 @@ void Substep::break_long_springs(Plan& plan, Motion& motion) {
 // [s], to the end of the substep. Shorter where a spring is about to break and where a method that adapts its step would pass over
 // oscillations of colliders, or of springs that break at their largest length: parts of the substep.
 double Substep::next_length(const Plan& plan, const Motion& motion) const {
-  double max = is_adaptive() ? plan.resolving_step : left_;
+  double max = is_adaptive() ? plan.collider_paths.resolving_step : left_;
   if (locates_breaks_) {
     const double min_part = min_part_to_break * h_;
     if (is_adaptive() && plan.spectrum.omega > 0.0) max = std::min(max, std::max(max_angle_to_break / plan.spectrum.omega, min_part));
@@ -198,7 +198,7 @@ int Substep::fly(Plan& plan, Motion& motion, int done) {
 
   Flight flight{.clearance = compute_clearance(plan, motion.x)};
   if (flight.was_interrupted()) return 0;
-  const bool may_be_interrupted = !plan.colliders.empty() || !plan.break_length.empty() || !plan.max_length.empty();
+  const bool may_be_interrupted = !plan.colliders.empty() || !plan.spring.break_length.empty() || !plan.spring.max_length.empty();
   if (may_be_interrupted) keep_start(plan, motion, before_);
   works_.begin_substep(plan, motion);
   method_->fly(plan, motion, work_, h_, count, flight);
@@ -221,7 +221,7 @@ int Substep::fly(Plan& plan, Motion& motion, int done) {
 
 // Whether the substep that contact ended left every bit as it was before: then so do all that follow it.
 bool Substep::is_at_rest(const Plan& plan, const Motion& motion) const {
-  const bool acts_alone = plan.max_length.empty() && plan.break_length.empty() && plan.forces.empty() && !plan.touches_itself();
+  const bool acts_alone = plan.spring.max_length.empty() && plan.spring.break_length.empty() && plan.forces.empty() && !plan.touches_itself();
   if (method_->fly == nullptr || !acts_alone || !can_fly(plan)) return false;
   const auto is_same = [](const Field& a, const Field& b) { return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0; };
   return is_same(motion.v, before_.v) && is_same(motion.x, before_.x);

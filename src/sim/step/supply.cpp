@@ -65,7 +65,7 @@ void record_frame_energy(const Plan& plan, const EnergyLedger& frame, const Hand
   supply.net_input += frame[Hand];
   supply.scale += std::abs(frame[Hand]);
   supply.hand_stretch = std::max(supply.hand_stretch, hand.stretch);
-  if (!supply.extent || !(plan.held || plan.pull || plan.grabbed_collider)) return;
+  if (!supply.extent || !(plan.hand.held || plan.hand.pull || plan.collider_paths.grabbed)) return;
   const double distance = state.hand.collider ? glm::length(anchor_of(state.hand.collider->shape)) : 0.0;
   supply.extent = std::max({*supply.extent, glm::length(hand.target), distance});
   supply.speed = std::max(supply.speed.value_or(0.0), hand.speed);

@@ -209,8 +209,8 @@ KernelTime measure_kernel(const KernelCase& row, int n, bool quick) {
   for (int i = 0; i < frames; ++i) {
     const double seconds = take_frame();
     const Motion& motion = frame.motion();
-    const long count = row.unit == KernelUnit::Sweep             ? motion.sweeps
-                       : row.unit == KernelUnit::ForceEvaluation ? motion.force_evaluations
+    const long count = row.unit == KernelUnit::Sweep             ? motion.counts.sweeps
+                       : row.unit == KernelUnit::ForceEvaluation ? motion.counts.force_evaluations
                                                                  : substeps;
     time.seconds = std::min(time.seconds, seconds / static_cast<double>(std::max(1L, count)));
   }

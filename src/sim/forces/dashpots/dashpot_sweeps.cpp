@@ -170,7 +170,7 @@ namespace {
 // Long runs are swept faster in vectors, and what is kept for each spring here should fit into a cache.
 bool is_worth_ordering(const Plan& plan) {
   constexpr Index max_length = 10, max_springs = 150'000;
-  return plan.springs <= max_springs && plan.springs <= max_length * static_cast<Index>(plan.runs.size());
+  return plan.springs <= max_springs && plan.springs <= max_length * static_cast<Index>(plan.spring.runs.size());
 }
 
 }  // namespace
@@ -183,7 +183,7 @@ void DashpotSweeps::order_springs(const Plan& plan) {
   std::vector<Swept> springs;
   std::vector<Index> level(static_cast<std::size_t>(plan.points), 0);
   Index levels = 0;
-  for (const SpringRun& run : plan.runs) {
+  for (const SpringRun& run : plan.spring.runs) {
     // in a run along a row, every other spring comes first
     const Index step = run.second == run.first + 1 ? 2 : 1;
     for (Index start = 0; start < step; ++start)
@@ -209,12 +209,12 @@ void DashpotSweeps::divide_springs(const Plan& plan) {
 
   // between two rows, if there is a grid
   Index middle = plan.points / 2;
-  for (const Grid& grid : plan.grids)
+  for (const Grid& grid : plan.spring.grids)
     if (grid.first < middle && middle < grid.first + grid.points())
       middle = grid.first + (middle - grid.first) / grid.columns * grid.columns;
 
   Index crossings = 0;
-  for (const SpringRun& run : plan.runs) {
+  for (const SpringRun& run : plan.spring.runs) {
     // the parts of the run: both ends before the middle, one of them, none
     const Index before = std::clamp(middle - run.second, Index{0}, run.count), until = std::clamp(middle - run.first, Index{0}, run.count);
     const auto add = [&](std::vector<SpringRun>& runs, Index begin, Index end) {
@@ -236,14 +236,14 @@ void DashpotSweeps::prepare(const Plan& plan, double duration) {
   is_known_ = false;
   plan_dashpot_decay(plan, duration, decay_);
   const bool is_ordered = is_worth_ordering(plan);
-  if (known_runs_ != plan.runs || is_ordered == packed_.empty()) {
+  if (known_runs_ != plan.spring.runs || is_ordered == packed_.empty()) {
     packed_.clear();
     clear_halves();
     if (is_ordered)
       order_springs(plan);
     else
       divide_springs(plan);
-    known_runs_ = plan.runs;
+    known_runs_ = plan.spring.runs;
   }
   if (!is_ordered) return;
   x_.resize(4 * static_cast<std::size_t>(plan.points));
@@ -294,7 +294,7 @@ void DashpotSweeps::sweep(const Plan& plan, SweepDirection sweep, bool is_same, 
 
 void DashpotSweeps::apply(const Plan& plan, SweepDirection sweep, bool is_same, const Field& x, Field& v) {
   if (!halves_[0].empty()) return sweep_halves(plan, sweep, x, v);
-  if (packed_.empty()) return decay_dashpots(plan, plan.runs, decay_, sweep, x, v);
+  if (packed_.empty()) return decay_dashpots(plan, plan.spring.runs, decay_, sweep, x, v);
   if (!is_known_ || !is_same) {
     HWY_DYNAMIC_DISPATCH(pack_fours)(plan, x.data(), x_.data());
     HWY_DYNAMIC_DISPATCH(compute_factors_of)(plan, x_.data(), ordered_decay_.data(), springs_);

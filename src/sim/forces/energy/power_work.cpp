@@ -46,9 +46,9 @@ bool is_smooth(double start, double middle, double end) {
 // [J], of dashpots whose impulse is that of the path of the method, from `start` to `free`, along the path to `end`.
 double dashpot_work(const Plan& plan, double h, const Field& start, const Field& free, const Field& end) {
   double work = 0.0;
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      const double damping = plan.damping[run.begin + e];
+      const double damping = plan.spring.damping[run.begin + e];
       if (damping == 0.0) continue;
       const auto length = [&](const Field& x) {
         double sum = 0.0;
@@ -207,9 +207,9 @@ void PowerWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_
 void PowerWork::add_potential_work(const Plan& plan, Motion& motion, double h) {
   Field& end = middle_x_;
   std::ranges::copy(motion.x, end.begin());
-  if (plan.held)
+  if (plan.hand.held)
     for (int c = 0; c < plan.dimensions; ++c) {
-      const std::size_t held = static_cast<std::size_t>(c) * plan.points + static_cast<std::size_t>(*plan.held);
+      const std::size_t held = static_cast<std::size_t>(c) * plan.points + static_cast<std::size_t>(*plan.hand.held);
       x_[held] = end[held] = 0.5 * (x_[held] + motion.x[held]);
     }
   for (const Force& force : plan.forces) {

@@ -44,7 +44,7 @@ Vec3 at(const Plan& plan, const double* field, Index i) {
 
 // f_i = -B sum K_ij (x_j - x_i), as the rows of K have the sum 0.
 void add_elastic(const Plan& plan, double stiffness, const double* x, double* f) {
-  const HingePlan& hinges = plan.hinges;
+  const HingePlan& hinges = plan.force_data.hinges;
   for (int c = 0; c < 3; ++c) {
     const double* component = x + static_cast<std::size_t>(c) * plan.points;
     double* force = f + static_cast<std::size_t>(c) * plan.points;
@@ -235,14 +235,14 @@ void add_moments(const Plan& plan, const HingedFace& face, const HingeGradients&
 }
 
 void add_damping(const Plan& plan, double damping, const double* x, const double* v, double* f) {
-  for (const HingedFace& face : plan.hinges.faces) {
+  for (const HingedFace& face : plan.force_data.hinges.faces) {
     const HingeRates rates(plan, face, x);
     add_moments(plan, face, rates, rates.moments(plan, face, v), damping, f);
   }
 }
 
 void add_as_built(const Plan& plan, const ForceValues& values, const double* x, const double* v, double* f) {
-  for (const HingedFace& face : plan.hinges.faces) {
+  for (const HingedFace& face : plan.force_data.hinges.faces) {
     const HingeAngles angles(plan, face, x);
     add_moments(plan, face, angles, angles.elastic_moments(face), stiffness_of(values), f);
     if (damping_of(values) > 0.0) add_moments(plan, face, angles, angles.moments(plan, face, v), damping_of(values), f);
@@ -250,7 +250,7 @@ void add_as_built(const Plan& plan, const ForceValues& values, const double* x, 
 }
 
 void add(const Plan& plan, const ForceValues& values, double, const double* x, const double* v, double* f) {
-  if (plan.hinges.empty()) return;
+  if (plan.force_data.hinges.empty()) return;
   if (is_as_built(values)) return add_as_built(plan, values, x, v, f);
   add_elastic(plan, stiffness_of(values), x, f);
   if (damping_of(values) > 0.0) add_damping(plan, damping_of(values), x, v, f);
@@ -292,8 +292,8 @@ double highest_row(const System& system, const HingePlan& hinges, bool is_consta
 // The dashpots have the same matrix where the sheet is flat; elsewhere, and with the rest shape as built also the stiffness, it depends on
 // the shape of the faces, which may be degenerate.
 ForceBound bound(const System& system, const Plan& prepared, const ForceValues& values, double) {
-  if (prepared.hinges.empty()) return {};
-  const double max = highest_row(system, prepared.hinges, !is_as_built(values));
+  if (prepared.force_data.hinges.empty()) return {};
+  const double max = highest_row(system, prepared.force_data.hinges, !is_as_built(values));
   ForceBound bound{.estimated_rate = damping_of(values) * max};
   if (bound.estimated_rate > 0.0) bound.rate = ForceBound::none;
   (is_as_built(values) ? bound.estimated_stiffness : bound.stiffness) = stiffness_of(values) * max;
@@ -310,14 +310,14 @@ void for_each_block(const Plan& plan, const HingedFace& face, const HingeGradien
       glm::dmat3 block(0.0);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) block += face.coupling[i][j] * glm::outerProduct(hinges.gradient(i, a), hinges.gradient(j, b));
-      use(a, b, plan.hinges.entry(face.points[a], face.points[b]), block);
+      use(a, b, plan.force_data.hinges.entry(face.points[a], face.points[b]), block);
     }
 }
 
 void add_tangent(const Plan& plan, const ForceValues& values, double, const double* x, const double*, ForceTangent& tangent) {
   const double stiffness = stiffness_of(values), damping = damping_of(values);
   if (is_as_built(values)) {
-    for (const HingedFace& face : plan.hinges.faces) {
+    for (const HingedFace& face : plan.force_data.hinges.faces) {
       const HingeAngles angles(plan, face, x);
       std::array<double, 3> moment = angles.elastic_moments(face);
       for (double& each : moment) each *= stiffness;
@@ -330,7 +330,7 @@ void add_tangent(const Plan& plan, const ForceValues& values, double, const doub
   }
   tangent.add_hinges(stiffness);
   if (damping == 0.0) return;
-  for (const HingedFace& face : plan.hinges.faces)
+  for (const HingedFace& face : plan.force_data.hinges.faces)
     for_each_block(plan, face, HingeRates(plan, face, x),
                    [&](int, int, Index entry, const glm::dmat3& block) { tangent.add_hinge_damping(entry, damping * block); });
 }
@@ -347,7 +347,7 @@ double power_of(const Plan& plan, const HingedFace& face, const HingeGradients& 
 
 double potential(const Plan& plan, const ForceValues& values, double, const double* x) {
   double sum = 0.0;
-  for (const HingedFace& face : plan.hinges.faces) {
+  for (const HingedFace& face : plan.force_data.hinges.faces) {
     if (is_as_built(values)) {
       const HingeAngles angles(plan, face, x);
       const std::array<double, 3> moment = angles.elastic_moments(face);
@@ -364,7 +364,7 @@ double potential(const Plan& plan, const ForceValues& values, double, const doub
 double power(const Plan& plan, const ForceValues& values, double, const double* x, const double* v) {
   if (damping_of(values) == 0.0) return 0.0;
   double sum = 0.0;
-  for (const HingedFace& face : plan.hinges.faces)
+  for (const HingedFace& face : plan.force_data.hinges.faces)
     sum += is_as_built(values) ? power_of(plan, face, HingeAngles(plan, face, x), v) : power_of(plan, face, HingeRates(plan, face, x), v);
   return damping_of(values) * sum;
 }
@@ -393,7 +393,7 @@ constinit const ForceTerm bending_force{
     .power = power,
     .is_damped = [](const ForceValues& values) { return damping_of(values) > 0.0; },
     .cost = cost,
-    .prepare = [](const System& system, Plan& plan) { plan.hinges = plan_hinges(system); },
+    .prepare = [](const System& system, Plan& plan) { plan.force_data.hinges = plan_hinges(system); },
 };
 
 }  // namespace hooke

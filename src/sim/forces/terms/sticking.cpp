@@ -58,7 +58,7 @@ double pull_on(const Plan& plan, const StickyContact& contact, double time, cons
 }
 
 void keep_on_planes(const Plan& plan, double time, Motion& motion) {
-  for (const StickyContact& contact : plan.sticky.held) {
+  for (const StickyContact& contact : plan.force_data.sticky.held) {
     const Vec3& normal = normal_of(plan, contact);
     const double speed = speed_of_plane(plan, contact, time), relative = along(plan, normal, motion.v.data(), contact.point) - speed;
     const double distance =
@@ -74,58 +74,58 @@ void keep_on_planes(const Plan& plan, double time, Motion& motion) {
 }
 
 void Sticking::begin_frame(Plan& plan, const Motion& motion) {
-  plan.sticky.held.clear();
-  if (plan.sticky.strength == 0.0) return;
+  plan.force_data.sticky.held.clear();
+  if (plan.force_data.sticky.strength == 0.0) return;
   const auto is_plane = [](const Collider& collider) { return std::holds_alternative<Plane>(collider.shape); };
   const auto size = static_cast<std::size_t>(plan.points * std::ranges::count_if(plan.colliders, is_plane));
-  for (auto* list : {&plan.sticky.held, &none_, &previous_}) list->reserve(size), list->clear();
+  for (auto* list : {&plan.force_data.sticky.held, &none_, &previous_}) list->reserve(size), list->clear();
   for (auto* list : {&pull_, &start_pull_}) list->reserve(size), list->clear();
   f_.resize(motion.x.size());
 }
 
 void Sticking::begin_step(Plan& plan, Motion& motion) {
-  if (plan.sticky.strength == 0.0) return;
-  std::swap(previous_, plan.sticky.held);
-  plan.sticky.held.clear();
+  if (plan.force_data.sticky.strength == 0.0) return;
+  std::swap(previous_, plan.force_data.sticky.held);
+  plan.force_data.sticky.held.clear();
   for (std::size_t k = 0; k < plan.colliders.size(); ++k) {
     if (!std::holds_alternative<Plane>(plan.colliders[k].shape)) continue;
     for (Index i = 0; i < plan.points; ++i) {
       const StickyContact contact{i, static_cast<Index>(k)};
-      if (plan.inverse_mass[i] != 0.0 && is_at_rest_on(plan, contact, motion)) plan.sticky.held.push_back(contact);
+      if (plan.inverse_mass[i] != 0.0 && is_at_rest_on(plan, contact, motion)) plan.force_data.sticky.held.push_back(contact);
     }
   }
-  if (!plan.sticky.held.empty()) {
+  if (!plan.force_data.sticky.held.empty()) {
     compute_pulls(plan, motion);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < pull_.size(); ++k) {
-      if (pull_[k] > plan.sticky.strength) continue;
-      plan.sticky.held[kept] = plan.sticky.held[k];
+      if (pull_[k] > plan.force_data.sticky.strength) continue;
+      plan.force_data.sticky.held[kept] = plan.force_data.sticky.held[k];
       pull_[kept++] = pull_[k];
     }
-    plan.sticky.held.resize(kept);
+    plan.force_data.sticky.held.resize(kept);
     pull_.resize(kept);
   }
-  if (plan.sticky.held != previous_) motion.acceleration_is_current = false;
+  if (plan.force_data.sticky.held != previous_) motion.acceleration_is_current = false;
 }
 
 // The force of the planes itself does not count.
 void Sticking::compute_pulls(Plan& plan, Motion& motion) {
-  std::swap(plan.sticky.held, none_);
+  std::swap(plan.force_data.sticky.held, none_);
   compute_forces(plan, motion.time, motion.x, motion.v, f_);
-  std::swap(plan.sticky.held, none_);
-  ++motion.force_evaluations;
+  std::swap(plan.force_data.sticky.held, none_);
+  ++motion.counts.force_evaluations;
   pull_.clear();
-  for (const StickyContact& contact : plan.sticky.held) pull_.push_back(pull_on(plan, contact, motion.time, f_.data()));
+  for (const StickyContact& contact : plan.force_data.sticky.held) pull_.push_back(pull_on(plan, contact, motion.time, f_.data()));
 }
 
 // By the trapezoidal rule for the force of the planes, at their speed.
 void Sticking::end_step(Plan& plan, double h, Motion& motion) {
-  if (plan.sticky.held.empty() || !plan.colliders_move) return;
+  if (plan.force_data.sticky.held.empty() || !plan.collider_paths.any_moves) return;
   std::swap(pull_, start_pull_);
   compute_pulls(plan, motion);
   for (std::size_t k = 0; k < pull_.size(); ++k) {
-    const double start = std::max(0.0, start_pull_[k]) * speed_of_plane(plan, plan.sticky.held[k], motion.time - h);
-    const double end = std::max(0.0, pull_[k]) * speed_of_plane(plan, plan.sticky.held[k], motion.time);
+    const double start = std::max(0.0, start_pull_[k]) * speed_of_plane(plan, plan.force_data.sticky.held[k], motion.time - h);
+    const double end = std::max(0.0, pull_[k]) * speed_of_plane(plan, plan.force_data.sticky.held[k], motion.time);
     motion.energy.add(EnergyCause::Colliders, -0.5 * h * (start + end));
   }
 }

@@ -210,7 +210,7 @@ std::vector<FaceRow> find_face_rows(const std::vector<std::array<Index, 3>>& fac
 
 void compute_wind_on_cells(const Plan& plan, const Wind& wind, const FaceRow& row, const double* x, const double* v, double* f,
                            CellPowers* power) {
-  const std::array<Index, 3>& face = plan.faces[static_cast<std::size_t>(row.first)];
+  const std::array<Index, 3>& face = plan.force_data.faces[static_cast<std::size_t>(row.first)];
   HWY_DYNAMIC_DISPATCH(compute_on_cells)
   (plan, wind, face[0], face[1], row.cells, x, v, f, power != nullptr ? power->of_cell.data() : nullptr);
 }

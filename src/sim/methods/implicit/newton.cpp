@@ -60,7 +60,7 @@ void NewtonSolver::begin_frame(const Plan& plan, const Motion& motion) {
   for (Field* field : {&x_, &f_, &term_force_, &residual_, &step_, &trial_x_, &trial_v_}) field->resize(motion.x.size());
 
   max_coordinate_ = 0.0;
-  for (const double length : plan.rest_length) max_coordinate_ = std::max(max_coordinate_, length);
+  for (const double length : plan.spring.rest_length) max_coordinate_ = std::max(max_coordinate_, length);
   for (const double x : motion.x) max_coordinate_ = std::max(max_coordinate_, std::abs(x));
 }
 
@@ -86,7 +86,7 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
     for (std::size_t at = 0; at < x.size(); ++at) add(-term_force_[at] * (x[at] - x_[at]));
 
   // springs; dashpots along the directions at x_
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const std::size_t i = run.first + e, j = run.second + e;
       const Index s = run.begin + e;
@@ -99,16 +99,16 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
         direction_squared += direction * direction;
         along += direction * (V[c * n + i] - V[c * n + j]);
       }
-      const double stretch = std::sqrt(length_squared) - plan.rest_length[s];
-      add(0.5 * plan.stiffness[s] * stretch * stretch);
-      if (plan.has_dashpots() && direction_squared > 0.0) add(0.5 * stage.b * plan.damping[s] * along * along / direction_squared);
+      const double stretch = std::sqrt(length_squared) - plan.spring.rest_length[s];
+      add(0.5 * plan.spring.stiffness[s] * stretch * stretch);
+      if (plan.has_dashpots() && direction_squared > 0.0) add(0.5 * stage.b * plan.spring.damping[s] * along * along / direction_squared);
     }
 
-  if (plan.pull) {
-    const Vec3 target = plan.pull->target_at(stage.time);
+  if (plan.hand.pull) {
+    const Vec3 target = plan.hand.pull->target_at(stage.time);
     for (int c = 0; c < plan.dimensions; ++c) {
-      const double stretch = plan.pull->interpolate(&x[c * n]) - target[c];
-      add(0.5 * plan.pull->stiffness * stretch * stretch);
+      const double stretch = plan.hand.pull->interpolate(&x[c * n]) - target[c];
+      add(0.5 * plan.hand.pull->stiffness * stretch * stretch);
     }
   }
   return sum;
@@ -118,7 +118,7 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
 void NewtonSolver::evaluate(const Plan& plan, const Stage& stage, const Field& V, const Field* term_velocity, Motion& motion) {
   set_positions(stage, V, x_);
   compute_network_forces(plan, stage.time, x_, V, f_);
-  ++motion.force_evaluations;
+  ++motion.counts.force_evaluations;
 
   if (!plan.forces.empty()) {
     if (term_velocity != nullptr) {
@@ -141,10 +141,10 @@ void NewtonSolver::factorize(const Plan& plan, const Stage& stage, Curvature cur
                              Motion& motion) {
   matrix_->linearize_forces(plan, stage.time, x_, term_velocity);
   matrix_->assemble(plan, stage.b, x_, V, curvature);
-  ++motion.factorizations;
+  ++motion.counts.factorizations;
   if (!matrix_->factorize() && curvature == Curvature::Exact) {
     matrix_->assemble(plan, stage.b, x_, V, Curvature::Clamped);
-    ++motion.factorizations;
+    ++motion.counts.factorizations;
     matrix_->factorize();
   }
   factored_b_ = stage.b;
@@ -154,7 +154,7 @@ void NewtonSolver::factorize(const Plan& plan, const Stage& stage, Curvature cur
 void NewtonSolver::compute_step(Motion& motion) {
   set_scaled(step_.data(), -1.0, residual_.data(), step_.size());
   matrix_->solve(step_);
-  ++motion.solves;
+  ++motion.counts.solves;
 }
 
 // Halves the step until Phi decreases as required by Armijo's rule; a decrease below the rounding error of Phi is accepted. The
@@ -200,7 +200,7 @@ double NewtonSolver::velocity_change(const Plan& plan, const Stage& stage, const
 
 void NewtonSolver::solve(const Plan& plan, const Stage& stage, const NewtonLimits& limits, Field& V, Motion& motion) {
   if (free_points_ == 0) return;
-  const long max_factorizations = motion.factorizations + limits.factorizations;
+  const long max_factorizations = motion.counts.factorizations + limits.factorizations;
   Curvature curvature = stage.b * plan.spectrum.omega > max_exact_stiffness ? Curvature::Clamped : Curvature::Exact;
   bool matrix_is_stale = factored_b_ != stage.b;
   double previous_size = 0.0;  // of the last step, if it was taken whole
@@ -209,7 +209,7 @@ void NewtonSolver::solve(const Plan& plan, const Stage& stage, const NewtonLimit
   evaluate(plan, stage, V, &V, motion);
   Potential current = potential(plan, stage, x_, V), trial;
   for (int iteration = 0; iteration < limits.iterations; ++iteration) {
-    if (matrix_is_stale && motion.factorizations < max_factorizations) factorize(plan, stage, curvature, V, V, motion);
+    if (matrix_is_stale && motion.counts.factorizations < max_factorizations) factorize(plan, stage, curvature, V, V, motion);
     compute_step(motion);
 
     // remaining error after this step, from the contraction of the steps; where they no longer contract, it is round-off
@@ -234,7 +234,7 @@ void NewtonSolver::solve(const Plan& plan, const Stage& stage, const NewtonLimit
     evaluate(plan, stage, V, !can_freeze || iteration < max_force_updates ? &V : nullptr, motion);
     current = plan.has_dashpots() || !plan.forces.empty() ? potential(plan, stage, x_, V) : trial;
   }
-  ++motion.unconverged_solves;
+  ++motion.counts.unconverged_solves;
 }
 
 void NewtonSolver::solve_once(const Plan& plan, const Stage& stage, Field& V, Motion& motion) {
