@@ -46,12 +46,8 @@ void Lab::reset_session() {
   limit_work_ = last_limit_work_ = hand_lag_ = 0.0;
   gas_releases_.clear();
   update_plan({.structure = true});
-<<<<<<< HEAD
   frame_.take_change();  // it is the start of a run, not an edit in one
-  initialize_ledger(scene_.system, scene_.state);
-=======
   initialize_supply(scene_.system, scene_.state);
->>>>>>> merged
 }
 
 void Lab::rebuild_plan() {

@@ -33,12 +33,8 @@ TEST(Companions, EachIsTheRunWithItsSettingsAndTheRunIsAsWithoutThem) {
     const CompanionsStatus& status = lab.status()->companions;
     ASSERT_EQ(status.list.size(), 2u);
     EXPECT_EQ(*status.list[0].positions, alone.scene().state.position);
-<<<<<<< HEAD
     EXPECT_EQ(status.list[0].distance,
               weighted_distance(lab.scene().system, lab.scene().state.position, alone.scene().state.position, 1.0).rms);
-=======
-    EXPECT_EQ(status.list[0].distance, weighted_distance(lab.scene().system, lab.scene().state.position, alone.scene().state.position, 1.0).rms);
->>>>>>> merged
     EXPECT_EQ(status.list[1].distance, 0.0);
     EXPECT_EQ(lab.scene().state, without.scene().state);
   }

@@ -91,12 +91,8 @@ TEST_P(Row, MeetsItsOrderWithAPullOnTheCenterOfMass) {
   TestSim sim = net(16, 1e2, 0.0);
   // of the points that are not nailed, all of the same mass
   Vec3 center(0.0);
-<<<<<<< HEAD
   for (Index i = 16; i < sim.system.point_count(); ++i)
     center += sim.state.position[i] / static_cast<double>(sim.system.point_count() - 16);
-=======
-  for (Index i = 16; i < sim.system.point_count(); ++i) center += sim.state.position[i] / static_cast<double>(sim.system.point_count() - 16);
->>>>>>> merged
   sim.system.forces = {{.term = &mass_center_force, .values = {center.x, center.y, center.z - 0.02, 4.0, 6.0}}};
   expect_measured(sim, method().order_with.force_terms, refinement());
 }

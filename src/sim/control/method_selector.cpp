@@ -11,10 +11,6 @@
 #include "sim/control/frame_error.h"
 #include "sim/control/step_controller.h"
 #include "sim/model/portable_math.h"
-<<<<<<< HEAD
-=======
-#include "sim/step/divergence.h"
->>>>>>> merged
 
 namespace hooke {
 namespace {
@@ -87,11 +83,7 @@ std::vector<MethodSelector::Candidate> MethodSelector::candidates_for(const Step
     const auto min = min_automatic_substeps(limits, method, frame_rate);
     if (!min) continue;
     const int substeps = *min << (runs_needed(method) - 1);
-<<<<<<< HEAD
     list.push_back({.method = &method, .substeps = substeps, .cost = control::cost_of_estimate * model.expected(method, substeps)});
-=======
-    list.push_back({.method = &method, .substeps = substeps, .cost = 1.5 * model.expected(method, substeps)});
->>>>>>> merged
   }
   return list;
 }
@@ -117,18 +109,11 @@ FrameTrial MethodSelector::select(const Plan& plan, const System& system, const 
       is_met = meets;
     }
     // of what is too far from its asymptotic range, or diverged, the order says nothing
-<<<<<<< HEAD
     const int order = order_of(system, *trial.method, runs_.finest());
     const double ratio = ratio_to_aim(trial.error, share);
     const double factor = std::isfinite(ratio) ? std::clamp(control::trial_margin * portable::pow(ratio, 1.0 / order),
                                                             control::min_trial_growth, control::max_trial_growth)
                                                : control::growth_on_failure;
-=======
-    constexpr double max_factor = 1e3, on_failure = 4.0;
-    const int order = order_of(system, *trial.method, runs_.finest());
-    const double ratio = ratio_to_aim(trial.error, share);
-    const double factor = std::isfinite(ratio) ? std::clamp(1.1 * portable::pow(ratio, 1.0 / order), 1.5, max_factor) : on_failure;
->>>>>>> merged
     const double more = factor * trial.substeps;
     if (is_small || more > max_automatic_substeps || ++next->attempts > control::max_rejections) {
       candidates.erase(next);
