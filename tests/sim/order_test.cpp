@@ -210,7 +210,9 @@ TEST_P(Row, MeetsItsOrderWhereItLeavesAFloor) {
   EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_floor), method().order_with.contact, 0.2);
 }
 
-TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) { EXPECT_NEAR(order_after_impact(method(), falling_pair), method().order_with.contact, 0.2); }
+TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) {
+  EXPECT_NEAR(order_after_impact(method(), falling_pair), method().order_with.contact, 0.2);
+}
 
 // The larger modulus of the eigenvalues of one step, which is the growth factor of a mode.
 double growth(const Integrator& method, const Oscillator& oscillator) {

@@ -66,7 +66,8 @@ TestSim free_net(double damping) {
 TEST(WeakDashpots, KeepTheDeclaredOrder) {
   for (const double damping : {0.01, 0.1}) {
     const TestSim sim = net(17, 500.0, damping);
-    EXPECT_NEAR(measured_order([&](int substeps) { return error_of(sim, substeps); }, 40), velocity_verlet.order_with.damped, 0.1) << damping;
+    EXPECT_NEAR(measured_order([&](int substeps) { return error_of(sim, substeps); }, 40), velocity_verlet.order_with.damped, 0.1)
+        << damping;
   }
   TestSim air = net(17, 500.0, 0.1);
   air.system.drag = 4.0;

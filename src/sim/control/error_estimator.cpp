@@ -71,8 +71,8 @@ double FrameRuns::velocity_error(const System& system) const {
 }
 
 bool is_calm(const Plan& plan, const State& state, double duration) {
-  const bool has_events = plan.has_contact() || !plan.spring.break_length.empty() || !plan.spring.max_length.empty() || plan.hand.held || plan.hand.pull ||
-                          plan.collider_paths.grabbed || !plan.forces.empty();
+  const bool has_events = plan.has_contact() || !plan.spring.break_length.empty() || !plan.spring.max_length.empty() || plan.hand.held ||
+                          plan.hand.pull || plan.collider_paths.grabbed || !plan.forces.empty();
   if (has_events) return false;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
@@ -96,7 +96,8 @@ bool may_break(const Plan& plan, const State& state) {
       const Vec3 relative = state.velocity[i] - state.velocity[j];
       const double stretch = glm::distance(state.position[i], state.position[j]) - plan.spring.rest_length[s];
       const double half = 0.5 * (plan.spring.break_length[s] - plan.spring.rest_length[s]);
-      if (glm::dot(relative, relative) / w + plan.spring.stiffness[s] * stretch * stretch >= plan.spring.stiffness[s] * half * half) return true;
+      if (glm::dot(relative, relative) / w + plan.spring.stiffness[s] * stretch * stretch >= plan.spring.stiffness[s] * half * half)
+        return true;
     }
   return false;
 }

@@ -34,7 +34,8 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
   motion.contents = Motion::Forces::None;
   motion.moved = {};
   motion.memory = state.memory;
-  motion.counts.force_evaluations = motion.counts.factorizations = motion.counts.solves = motion.counts.sweeps = motion.counts.dashpot_sweeps = motion.counts.unconverged_solves = 0;
+  motion.counts.force_evaluations = motion.counts.factorizations = motion.counts.solves = motion.counts.sweeps =
+      motion.counts.dashpot_sweeps = motion.counts.unconverged_solves = 0;
   motion.counts.contact_tests = motion.counts.contact_impulses = motion.counts.limit_sweeps = motion.crossings = 0;
   motion.energy = {};
   motion.local_error = 0.0;

@@ -69,8 +69,9 @@ class Structure {
         enclosure_edges_(plan.force_data.enclosures.edges) {}
   virtual ~Structure() = default;
   bool fits(const Plan& plan) const {
-    return plan.points == points_ && plan.dimensions == dimensions_ && plan.spring.runs == runs_ && plan.force_data.hinges.begin == hinge_begin_ &&
-           plan.force_data.hinges.column == hinge_column_ && plan.force_data.enclosures.edges == enclosure_edges_;
+    return plan.points == points_ && plan.dimensions == dimensions_ && plan.spring.runs == runs_ &&
+           plan.force_data.hinges.begin == hinge_begin_ && plan.force_data.hinges.column == hinge_column_ &&
+           plan.force_data.enclosures.edges == enclosure_edges_;
   }
 
  private:

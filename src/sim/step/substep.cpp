@@ -221,7 +221,8 @@ int Substep::fly(Plan& plan, Motion& motion, int done) {
 
 // Whether the substep that contact ended left every bit as it was before: then so do all that follow it.
 bool Substep::is_at_rest(const Plan& plan, const Motion& motion) const {
-  const bool acts_alone = plan.spring.max_length.empty() && plan.spring.break_length.empty() && plan.forces.empty() && !plan.touches_itself();
+  const bool acts_alone =
+      plan.spring.max_length.empty() && plan.spring.break_length.empty() && plan.forces.empty() && !plan.touches_itself();
   if (method_->fly == nullptr || !acts_alone || !can_fly(plan)) return false;
   const auto is_same = [](const Field& a, const Field& b) { return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0; };
   return is_same(motion.v, before_.v) && is_same(motion.x, before_.x);
