@@ -38,27 +38,6 @@ TEST(Leapfrog, IsAsAccurateAsVelocityVerletWithWeakDashpots) {
   EXPECT_LT(error_of(sim, leapfrog, 4 * substeps), 2.0 * error_of(sim, default_integrator(), 4 * substeps));
 }
 
-TEST(Leapfrog, StepsAtOnceAreThoseOneByOne) {
-  const TestSim sim = net(16, 1e4, 0.9);
-  Plan plan = make_plan(sim.system);
-  ASSERT_GE(plan.springs, min_springs_of_grids);
-  constexpr int count = 20;
-  const double h = 1.0 / 60.0 / 40.0;
-  Motion at_once, one_by_one;
-  Workspace work;
-  pack(plan, sim.state, at_once);
-  pack(plan, sim.state, one_by_one);
-  Flight flight;
-  leapfrog.fly(plan, at_once, work, h, count, flight);
-  for (int i = 0; i < count; ++i, one_by_one.time += h) leapfrog.step(plan, one_by_one, work, h);
-  ASSERT_FALSE(flight.was_interrupted());
-  EXPECT_EQ(at_once.force_evaluations, one_by_one.force_evaluations);
-  for (std::size_t at = 0; at < at_once.x.size(); ++at) {
-    EXPECT_NEAR(at_once.x[at], one_by_one.x[at], 1e-13);
-    EXPECT_NEAR(at_once.v[at], one_by_one.v[at], 1e-11);
-  }
-}
-
 TEST(Leapfrog, LosesTheEnergyOfADampedNetAtTheLimitOfItsStability) {
   for (const double damping : {0.1, 2.0, 20.0}) {
     TestSim sim = net(6, 1e4, damping);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "sim/forces/dashpots/dashpot_sweeps.h"
@@ -23,20 +24,8 @@ struct Motion {
   Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
   // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
   bool acceleration_is_current = false;
-  // Forces at x [N] that a method leaves at the end of its step for the start of the next one, if acceleration_is_current: all but the
-  // listed ones. Where they are Open, whoever computes the power of those adds them, at (x, v) and the time, so that they are Complete.
-  // External: gravity and the listed ones instead, as they acted at the end of the step, at x and a velocity near v.
-  enum class Forces { None, Unlisted, Open, Complete, External };
-  Field forces;
-  Forces contents = Forces::None;
-  // [W], of the listed forces, if External: times v, and times the velocity at which they were computed.
-  double power = 0.0, power_as_computed = 0.0;
-  // Where contact has moved points since they were current: the first of them, and the one after the last. Then `a` is still current at the
-  // points that no spring joins to these. Nowhere unless contact alone moved points, just after the step.
-  struct Moved {
-    Index first = 0, end = 0;
-  };
-  Moved moved;
+  // [W], of the listed forces at the end of the method's last step, but for what follows from potentials; none: the method does not know it.
+  std::optional<double> power;
   MethodMemory memory;
   // since the start of the frame
   long force_evaluations = 0;

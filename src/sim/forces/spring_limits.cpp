@@ -127,14 +127,6 @@ bool carries_force(const Plan& plan, Index spring) {
 
 }  // namespace
 
-bool any_reaches_limit(const Plan& plan, const std::vector<SpringRun>& runs, const Field& x) {
-  for (const std::vector<double>* limit : {&plan.break_length, &plan.max_length})
-    if (!limit->empty() &&
-        std::any_of(runs.begin(), runs.end(), [&](const SpringRun& run) { return any_reaches_limit(plan, run, *limit, x); }))
-      return true;
-  return false;
-}
-
 double time_to_break(const Plan& plan, const Motion& motion) {
   double min = std::numeric_limits<double>::infinity();
   if (plan.break_length.empty()) return min;

@@ -4,14 +4,12 @@
 // has modes in the whole range. Drag is part of the kicks and exact there; because it is symmetric, the composition keeps its fourth order
 // with drag, although the conditions of the paper are for forces without velocities. Dashpots are split off as in velocity_verlet, which
 // makes it second order with them. The same holds for forces that depend on velocity.
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "sim/forces/dashpots/dashpot.h"
-#include "sim/forces/flight.h"
 #include "sim/forces/forces.h"
-#include "sim/forces/spring_limits.h"
+#include "sim/forces/leapfrog_pass.h"
 #include "sim/methods/rows.h"
 #include "sim/model/portable_math.h"
 
@@ -35,88 +33,38 @@ constexpr std::array<double, drifts> drift_weight = [] {
 constexpr double prediction_weight(int kick) { return kick == drifts ? kick_weight[kick] : 0.5 * kick_weight[kick]; }
 
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
-  work.size_fields(2, motion);
+  work.size_fields(plan.forces_depend_on_velocity ? 1 : 0, motion);
   if (plan.has_dashpots()) work.dashpots.prepare(plan, 0.5 * h);
 }
 
-void accelerate(const Plan& plan, double time, const Field& v, Motion& motion) {
-  compute_position_forces(plan, time, motion.x, v, motion.a);
-  divide_by_mass(plan, motion.a);
-  ++motion.force_evaluations;
-}
-
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
-  if (plan.has_dashpots()) work.dashpots.sweep(plan, SweepDirection::Forward, motion.acceleration_is_current, motion.x, motion.v);
+  const bool damped = plan.has_dashpots();
+  if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.x, motion.v);
 
   // the last kick's acceleration is the next step's first
-  if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
-  kick(plan, motion, kick_weight[0] * h);
-  drift(motion, drift_weight[0] * h);
+  if (motion.acceleration_is_current)
+    kick_and_drift(plan, motion, kick_weight[0] * h, drift_weight[0] * h);
+  else
+    accelerate_kick_and_drift(plan, motion.time, motion, kick_weight[0] * h, drift_weight[0] * h);
   double time = motion.time;
-  Field& velocity = work.fields[1];
+  Field& velocity = work.fields[0];
   for (int i = 0; i < drifts; ++i) {
     time += drift_weight[i] * h;
     const double next_drift = i + 1 < drifts ? drift_weight[i + 1] * h : 0.0;
-    if (can_accelerate_and_kick(plan)) {
-      accelerate_and_kick(plan, time, motion, kick_weight[i + 1] * h, next_drift);
-      ++motion.force_evaluations;
+    if (!plan.forces_depend_on_velocity) {
+      accelerate_kick_and_drift(plan, time, motion, kick_weight[i + 1] * h, next_drift);
       continue;
     }
-    if (plan.forces_depend_on_velocity) predict_velocity(plan, motion, prediction_weight(i + 1) * h, velocity);
-    accelerate(plan, time, plan.forces_depend_on_velocity ? velocity : motion.v, motion);
-    kick(plan, motion, kick_weight[i + 1] * h);
-    if (i + 1 < drifts) drift(motion, next_drift);
+    predict_velocity(plan, motion, prediction_weight(i + 1) * h, velocity);
+    compute_position_forces(plan, time, motion.x, velocity, motion.a);
+    divide_by_mass(plan, motion.a);
+    ++motion.force_evaluations;
+    kick_and_drift(plan, motion, kick_weight[i + 1] * h, next_drift);
   }
   motion.acceleration_is_current = !plan.forces_depend_on_velocity;
 
-  if (plan.has_dashpots()) work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
-  motion.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
-}
-
-void accelerate_and_kick_last(const Plan& plan, Motion& motion, double h) {
-  if (can_accelerate_and_kick(plan)) {
-    accelerate_and_kick(plan, motion.time, motion, kick_weight[drifts] * h, 0.0);
-    ++motion.force_evaluations;
-  } else {
-    accelerate(plan, motion.time, motion.v, motion);
-    kick(plan, motion, kick_weight[drifts] * h);
-  }
-  motion.acceleration_is_current = true;
-}
-
-// Kicks and drifts without accelerations that are stored. Without sweeps in between, the last kick of a step and the first of the next are
-// one.
-void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) {
-  const bool damped = plan.has_dashpots();
-  double start = motion.time;
-  bool is_kicked = false;
-  for (int i = 0; i < count && !flight.was_interrupted(); ++i) {
-    if (damped && i > 0) flight.any_at_limit = flight.any_at_limit || any_reaches_limit(plan, plan.runs, motion.x);
-    if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.acceleration_is_current, motion.x, motion.v);
-    if (!is_kicked) {
-      if (!motion.acceleration_is_current) accelerate(plan, start, motion.v, motion);
-      kick_and_drift_with_known(plan, motion, kick_weight[0] * h, drift_weight[0] * h, {}, flight);
-    }
-    motion.time = start + drift_weight[0] * h;
-    for (int k = 1; k < drifts; ++k) {
-      kick_and_drift(plan, motion, kick_weight[k] * h, drift_weight[k] * h, {}, flight);
-      ++motion.force_evaluations;
-      motion.time += drift_weight[k] * h;
-    }
-    start += h;
-    motion.time = start;
-    is_kicked = !damped && i + 1 < count;
-    if (is_kicked) {
-      kick_and_drift(plan, motion, (kick_weight[drifts] + kick_weight[0]) * h, drift_weight[0] * h, {}, flight);
-      ++motion.force_evaluations;
-    } else {
-      accelerate_and_kick_last(plan, motion, h);
-    }
-    if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
-    motion.dashpot_sweeps += damped ? 2 : 0;
-  }
-  // contact examines the paths of whole steps
-  flight.max_drift = std::max(flight.max_drift, h);
+  if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, motion.x, motion.v);
+  motion.dashpot_sweeps += damped ? 2 : 0;
 }
 
 // The columns of the step's matrix on (x, h v): kicks v' = E v + phi a, E = e^(-c b h), phi = (1 - E) / c.
@@ -166,7 +114,6 @@ constinit const Integrator blanes_moan4{
     .prepare = prepare,
     .step = step,
     .amplification = amplification,
-    .fly = fly,
 };
 
 }  // namespace hooke

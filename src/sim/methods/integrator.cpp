@@ -74,10 +74,12 @@ Amplification amplification_from(std::complex<double> (*r)(std::complex<double>)
 
 namespace {
 
-// Jury's conditions for both roots of z^2 - trace z + determinant to lie in the closed unit disc.
+// Jury's conditions for all roots of z^3 - trace z^2 + determinant z - third to lie in the closed unit disc.
 bool is_stable(const Amplification& amplification) {
   constexpr double round_off = 1e-12;
-  return amplification.determinant <= 1.0 + round_off && std::abs(amplification.trace) <= 1.0 + amplification.determinant + round_off;
+  const auto& [trace, determinant, third] = amplification;
+  return std::abs(trace + third) <= 1.0 + determinant + round_off && std::abs(third) <= 1.0 + round_off &&
+         std::abs(determinant - trace * third) <= 1.0 - third * third + round_off;
 }
 
 // of the one mode with these rates [1/s]
@@ -93,7 +95,7 @@ double largest_stable_step(const Integrator& integrator, double omega, double la
   // where an eigenvalue approaches -1, the higher-order splitting methods are unstable in a band of steps less than a hundredth wide
   const auto is_near_minus_one = [&](double h) {
     const Amplification step = amplification_at(h);
-    return 1.0 + step.determinant + step.trace < 0.02;
+    return 1.0 + step.determinant + step.trace + step.third < 0.02;
   };
   const double rate = std::max({omega, lambda, drag, force_rate});
   if (rate == 0.0) return std::numeric_limits<double>::infinity();

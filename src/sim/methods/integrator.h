@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "base/table.h"
-#include "sim/forces/flight.h"
 #include "sim/forces/motion.h"
 
 namespace hooke {
@@ -20,9 +19,10 @@ struct Oscillator {
   double h_rate = 0.0;  // h q, of a listed force -q m v
 };
 
-// One step on it is a 2x2 matrix; its eigenvalues follow from these two.
+// The eigenvalues z of one step on it: z^2 - trace z + determinant = 0; or, of a method that keeps the acceleration of the step before,
+// z^3 - trace z^2 + determinant z - third = 0.
 struct Amplification {
-  double trace = 2.0, determinant = 1.0;
+  double trace = 2.0, determinant = 1.0, third = 0.0;
 };
 
 // Stability of a linear mode, undamped or damped.
@@ -90,9 +90,9 @@ struct Integrator {
   // [J], the leading terms of the modified energy, which the method conserves to a higher order than the energy of the scene, less the
   // latter, at the end of a step of h. Null: not known.
   double (*modified_energy)(const Plan& plan, const Motion& motion, double h) = nullptr;
-  // `count` steps with nothing between them (flight.h), where can_fly(plan), equal to that many calls of `step` to round-off; ends early
-  // when the flight is interrupted. The time at the end is the caller's. Null: a step is no cheaper for it.
-  void (*fly)(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) = nullptr;
+  // `count` steps of h with nothing between them, in a scene without listed forces and hand: equal to that many calls of `step` to
+  // round-off. Adds to motion.time. Null: a step is no cheaper for it.
+  void (*steps)(const Plan& plan, Motion& motion, Workspace& work, double h, int count) = nullptr;
 };
 
 Table<Integrator> integrators();

@@ -5,6 +5,7 @@
 
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/forces.h"
+#include "sim/forces/leapfrog_pass.h"
 #include "sim/methods/rows.h"
 #include "sim/model/portable_math.h"
 
@@ -16,8 +17,7 @@ void step(const Plan& plan, Motion& motion, Workspace&, double h) {
   divide_by_mass(plan, motion.a);
   ++motion.force_evaluations;
 
-  kick(plan, motion, h);
-  drift(motion, h);
+  kick_and_drift(plan, motion, h, h);
 }
 
 // Its velocity is that of velocity Verlet half a step earlier, a kick of h/2 behind the position: with that kick the energy is that of
@@ -37,8 +37,8 @@ double modified_energy(const Plan& plan, const Motion& motion, double h) {
   return kinetic + verlet_energy_difference(plan, motion.time, motion.x, v, h);
 }
 
-void fly(const Plan& plan, Motion& motion, Workspace&, double h, int count, Flight& flight) {
-  kick_and_drift_steps(plan, motion, h, count, {.velocity = plan.has_dashpots() ? &motion.v : nullptr}, flight);
+void steps(const Plan& plan, Motion& motion, Workspace&, double h, int count) {
+  repeat_kick_and_drift(plan, motion, h, count, {.acting = &motion.v});
 }
 
 // v' = E v - phi h (omega^2 x + (lambda + q) v), x' = x + h v', with E = e^(-h c), phi = (1 - E) / (h c)
@@ -77,7 +77,7 @@ constinit const Integrator symplectic_euler{
     .step = step,
     .amplification = amplification,
     .modified_energy = modified_energy,
-    .fly = fly,
+    .steps = steps,
 };
 
 }  // namespace hooke

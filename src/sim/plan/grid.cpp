@@ -165,12 +165,12 @@ std::vector<Grid> find_grids(std::span<const SpringRun> runs, Index points, std:
   return grids;
 }
 
-void set_values(const Grid& grid, std::span<const double> per_spring, double missing, bool each_row,
+void set_values(const Grid& grid, std::span<const double> per_spring, bool each_row,
                 std::array<Grid::Values, Grid::directions>& values) {
   const auto pitch = static_cast<std::size_t>(grid.pitch());
   for (std::size_t direction = 0; direction < Grid::directions; ++direction) {
     const std::vector<Index>& spring = grid.spring[direction];
-    const auto number_of = [&](std::size_t cell) { return spring[cell] == no_index ? missing : per_spring[spring[cell]]; };
+    const auto number_of = [&](std::size_t cell) { return spring[cell] == no_index ? 0.0 : per_spring[spring[cell]]; };
     // the last row has springs to the right only; no kernel reads the others
     const std::size_t rows = grid.rows - (direction == Grid::Right ? 0 : 1);
     bool is_uniform = !each_row;
@@ -179,7 +179,7 @@ void set_values(const Grid& grid, std::span<const double> per_spring, double mis
     Grid::Values& value = values[direction];
     value.row_step = is_uniform ? 0 : pitch;
     value.number.resize(is_uniform ? pitch : rows * pitch);
-    for (std::size_t cell = 0; cell < value.number.size(); ++cell) value.number[cell] = rows == 0 ? missing : number_of(cell);
+    for (std::size_t cell = 0; cell < value.number.size(); ++cell) value.number[cell] = rows == 0 ? 0.0 : number_of(cell);
   }
 }
 

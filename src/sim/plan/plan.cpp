@@ -243,18 +243,9 @@ void refresh_values(Plan& plan, const System& system) {
 }
 
 void refresh_grids(Plan& plan) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  // what springs reach in a step or not is decided by their lengths; here it is enough to be sure that they do not
-  std::vector<double> limit;
-  if (!plan.break_length.empty() || !plan.max_length.empty()) limit.assign(plan.springs, infinity);
-  for (const std::vector<double>* lengths : {&plan.break_length, &plan.max_length})
-    for (Index s = 0; s < static_cast<Index>(lengths->size()); ++s)
-      limit[s] = std::min(limit[s], (*lengths)[s] * (*lengths)[s] * (1.0 - 1e-14));
-
   for (Grid& grid : plan.grids) {
-    set_values(grid, plan.rest_length, 0.0, false, grid.rest_length);
-    for (auto* values : {&grid.damping, &grid.max_length_squared}) *values = {};
-    if (!limit.empty()) set_values(grid, limit, infinity, false, grid.max_length_squared);
+    set_values(grid, plan.rest_length, false, grid.rest_length);
+    grid.damping = {};
   }
   refresh_grid_stiffness(plan);
 }
@@ -262,8 +253,8 @@ void refresh_grids(Plan& plan) {
 void refresh_grid_stiffness(Plan& plan) {
   const bool may_break = !plan.break_length.empty();
   for (Grid& grid : plan.grids) {
-    set_values(grid, plan.stiffness, 0.0, may_break, grid.stiffness);
-    if (plan.has_dashpots()) set_values(grid, plan.damping, 0.0, may_break, grid.damping);
+    set_values(grid, plan.stiffness, may_break, grid.stiffness);
+    if (plan.has_dashpots()) set_values(grid, plan.damping, may_break, grid.damping);
   }
 }
 

@@ -73,11 +73,10 @@ void ForceWork::begin_substep(const Plan& plan, const Motion& motion) {
   if (!has_work(plan)) return;
   time_ = motion.time;
   power_work_ = 0.0;
-  // such a step follows, which needs no more than the power at both ends
-  const bool is_external = motion.contents == Motion::Forces::External && motion.acceleration_is_current;
-  if (!is_external || plan.has_contact() || air_acceleration(plan) != Vec3(0.0)) std::ranges::copy(motion.x, x_.begin());
+  // a method that knows the power at the end of its steps needs no more
+  if (!motion.power || plan.has_contact() || has_potential_ || air_acceleration(plan) != Vec3(0.0)) std::ranges::copy(motion.x, x_.begin());
   if (!has_power_) return;
-  if (!is_external) std::ranges::copy(motion.v, v_.begin());
+  if (!motion.power) std::ranges::copy(motion.v, v_.begin());
   if (!memory_.power_is_current) memory_.power = power_of(plan, motion.time, motion.x, motion.v);
 }
 
@@ -93,24 +92,14 @@ double ForceWork::energy_change(const Plan& plan, const Motion& motion) const {
 
 void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h) {
   if (!has_power_) return;
-  const bool is_external = motion.contents == Motion::Forces::External;
   const double start = memory_.power, middle = time_ + 0.5 * h;
-  if (motion.contents == Motion::Forces::Open) {
-    memory_.power = add_force_terms_with_power(plan, motion.time, motion.x, motion.v, motion.forces);
-    motion.contents = Motion::Forces::Complete;
-  } else if (is_external) {
-    // where the two differ, that of the velocity at which they were computed, at which they supply no more than moving air does
-    constexpr double max_difference = 0.2;
-    const double difference = std::abs(motion.power - motion.power_as_computed);
-    memory_.power = difference <= max_difference * std::abs(motion.power_as_computed) ? motion.power : motion.power_as_computed;
-  } else {
-    memory_.power = power_of(plan, motion.time, motion.x, motion.v);
-  }
   memory_.power_is_current = true;
-  if (is_external) {
+  if (motion.power) {
+    memory_.power = *motion.power;
     power_work_ = 0.5 * h * (start + memory_.power);
     return;
   }
+  memory_.power = power_of(plan, motion.time, motion.x, motion.v);
   // With a larger product Simpson's rule yields more than implicit methods dissipate, by a fraction of (rate h)^2 / 12, which would appear
   // as a gain. Points faster than the air have higher rates than these: then the power changes by more than a part of itself.
   constexpr double max_resolved = 0.3, max_bend = 0.2;

@@ -117,7 +117,7 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
 // x_ = x + b V and residual_ = grad Phi there, with listed forces at their own velocities or unchanged.
 void NewtonSolver::evaluate(const Plan& plan, const Stage& stage, const Field& V, const Field* term_velocity, Motion& motion) {
   set_positions(stage, V, x_);
-  compute_network_forces(plan, stage.time, x_, V, f_);
+  compute_unlisted_forces(plan, stage.time, x_, plan.has_dashpots() ? &V : nullptr, f_);
   ++motion.force_evaluations;
 
   if (!plan.forces.empty()) {

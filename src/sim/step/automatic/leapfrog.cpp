@@ -29,21 +29,6 @@ void step(const Plan& plan, Motion& motion, Workspace&, double h) {
   motion.acceleration_is_current = true;
 }
 
-// The last kick of a step and the first of the next are one of h.
-void fly(const Plan& plan, Motion& motion, Workspace&, double h, int count, Flight& flight) {
-  if (!motion.acceleration_is_current) accelerate(plan, motion);
-  kick_and_drift_with_known(plan, motion, 0.5 * h, h, {}, flight);
-  for (int i = 1; i < count && !flight.was_interrupted(); ++i) {
-    motion.time += h;
-    kick_and_drift(plan, motion, h, h, {.velocity = plan.has_dashpots() ? &motion.v : nullptr}, flight);
-    ++motion.force_evaluations;
-  }
-  motion.time += h;
-  accelerate(plan, motion);
-  kick(plan, motion, 0.5 * h);
-  motion.acceleration_is_current = true;
-}
-
 // The steps between the half kicks are those of symplectic Euler.
 Amplification amplification(const Oscillator& oscillator) { return symplectic_euler.amplification(oscillator); }
 
@@ -76,7 +61,6 @@ constinit const Integrator leapfrog{
     .prepare = nullptr,
     .step = step,
     .amplification = amplification,
-    .fly = fly,
 };
 
 }  // namespace hooke
