@@ -55,7 +55,7 @@ class Frames {
 
 // The fewest that are stable and resolve the oscillations of the colliders; none if the latter are too many.
 std::optional<int> min_substeps(const Plan& plan, const Integrator& method, double frame_rate) {
-  const auto resolving = resolving_substeps({.oscillation = plan.resolving_step}, method, frame_rate);
+  const auto resolving = resolving_substeps({.oscillation = plan.collider_paths.resolving_step}, method, frame_rate);
   if (!resolving) return std::nullopt;
   return std::max(*resolving, min_stable_substeps(method, plan.spectrum, frame_rate).value_or(1));
 }

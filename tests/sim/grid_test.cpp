@@ -90,7 +90,7 @@ std::vector<Net> assorted_nets() {
 // With grids, however small the scene is.
 Plan make_plan_with_grids(const System& system) {
   Plan plan = make_plan(system);
-  plan.grids = find_grids(plan.runs, plan.points, plan.loose_runs);
+  plan.spring.grids = find_grids(plan.spring.runs, plan.points, plan.spring.loose_runs);
   refresh_grids(plan);
   return plan;
 }
@@ -109,14 +109,14 @@ struct Packed {
 
 // The same plan without grids.
 Plan without_grids(Plan plan) {
-  plan.grids.clear();
-  plan.loose_runs = plan.runs;
+  plan.spring.grids.clear();
+  plan.spring.loose_runs = plan.spring.runs;
   return plan;
 }
 
 Index springs_in_grids(const Plan& plan) {
   Index count = 0;
-  for (const Grid& grid : plan.grids)
+  for (const Grid& grid : plan.spring.grids)
     for (const std::vector<Index>& spring : grid.spring)
       count += static_cast<Index>(std::ranges::count_if(spring, [](Index s) { return s != no_index; }));
   return count;
@@ -130,30 +130,30 @@ TEST(Grids, AreMadeForLargeScenesOnly) {
 TEST(Grids, AreFoundInNetsWithAllTheirSprings) {
   for (const int columns : {4, 9, 33}) {
     const Plan plan = make_plan_with_grids(make_net({.rows = 6, .columns = columns}).system);
-    ASSERT_EQ(plan.grids.size(), 1u);
-    EXPECT_EQ(plan.grids[0].rows, 6);
-    EXPECT_EQ(plan.grids[0].columns, columns);
+    ASSERT_EQ(plan.spring.grids.size(), 1u);
+    EXPECT_EQ(plan.spring.grids[0].rows, 6);
+    EXPECT_EQ(plan.spring.grids[0].columns, columns);
     EXPECT_EQ(springs_in_grids(plan), plan.springs);
-    EXPECT_TRUE(plan.loose_runs.empty());
+    EXPECT_TRUE(plan.spring.loose_runs.empty());
   }
 }
 
 TEST(Grids, KeepTheirShapeWhereSpringsAreMissing) {
   const Plan plan = make_plan_with_grids(make_net({.rows = 12, .columns = 20, .missing = 15}).system);
-  ASSERT_EQ(plan.grids.size(), 1u);
-  EXPECT_EQ(plan.grids[0].rows, 12);
-  EXPECT_EQ(plan.grids[0].columns, 20);
+  ASSERT_EQ(plan.spring.grids.size(), 1u);
+  EXPECT_EQ(plan.spring.grids[0].rows, 12);
+  EXPECT_EQ(plan.spring.grids[0].columns, 20);
   EXPECT_EQ(springs_in_grids(plan), plan.springs);
 }
 
 TEST(Grids, LeaveOutSpringsThatDoNotFit) {
   const Plan plan = make_plan_with_grids(make_net({.rows = 6, .columns = 20, .extra = true}).system);
-  ASSERT_EQ(plan.grids.size(), 1u);
+  ASSERT_EQ(plan.spring.grids.size(), 1u);
   Index loose = 0;
-  for (const SpringRun& run : plan.loose_runs) {
+  for (const SpringRun& run : plan.spring.loose_runs) {
     loose += run.count;
     for (Index e = 0; e < run.count; ++e)
-      for (const std::vector<Index>& spring : plan.grids[0].spring) EXPECT_EQ(std::ranges::count(spring, run.begin + e), 0);
+      for (const std::vector<Index>& spring : plan.spring.grids[0].spring) EXPECT_EQ(std::ranges::count(spring, run.begin + e), 0);
   }
   EXPECT_GT(loose, 10);
   EXPECT_EQ(loose + springs_in_grids(plan), plan.springs);
@@ -191,16 +191,16 @@ TEST(Grids, CoverSeveralSheetsAndRopesOfAScene) {
   append(more);
   append(make_net({.rows = 1, .columns = 30}));
   const Plan plan = make_plan_with_grids(sim.system);
-  ASSERT_EQ(plan.grids.size(), 3u);
-  EXPECT_EQ(plan.grids[1].columns, 6);
-  EXPECT_EQ(plan.grids[2].rows, 1);
+  ASSERT_EQ(plan.spring.grids.size(), 3u);
+  EXPECT_EQ(plan.spring.grids[1].columns, 6);
+  EXPECT_EQ(plan.spring.grids[2].rows, 1);
   EXPECT_EQ(springs_in_grids(plan), plan.springs);
 }
 
 TEST(GridForces, EqualThoseOfRunsToRounding) {
   for (const Net& net : assorted_nets()) {
     const Packed packed(make_net(net));
-    ASSERT_EQ(packed.plan.grids.size(), 1u) << net.rows << " x " << net.columns;
+    ASSERT_EQ(packed.plan.spring.grids.size(), 1u) << net.rows << " x " << net.columns;
     const Plan runs = without_grids(packed.plan);
     const Field f = packed.forces();
     Field expected(f.size(), 0.0);
@@ -219,7 +219,7 @@ TEST(GridForces, AreZeroInASheetAtRest) {
   }
   sim.system.set_springs(springs);
   const Packed packed(sim);
-  ASSERT_EQ(packed.plan.grids.size(), 1u);
+  ASSERT_EQ(packed.plan.spring.grids.size(), 1u);
   for (const double component : packed.forces()) EXPECT_EQ(component, 0.0);
 }
 

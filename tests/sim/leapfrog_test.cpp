@@ -27,7 +27,7 @@ double error_of(const TestSim& sim, const Integrator& method, int substeps) {
 TEST(Leapfrog, IsOfSecondOrderWithoutDashpotsAndOfFirstWithThem) {
   const TestSim undamped = net(6, 1e2, 0.0), damped = net(6, 1e2, 5.0);
   EXPECT_NEAR(measured_order([&](int substeps) { return error_of(undamped, leapfrog, substeps); }, 32), leapfrog.order, 0.1);
-  EXPECT_NEAR(measured_order([&](int substeps) { return error_of(damped, leapfrog, substeps); }, 256), leapfrog.order_damped, 0.1);
+  EXPECT_NEAR(measured_order([&](int substeps) { return error_of(damped, leapfrog, substeps); }, 256), leapfrog.order_with.damped, 0.1);
 }
 
 // At its limit of stability, on a scene with d = 9e-5 k, as in the benchmark.

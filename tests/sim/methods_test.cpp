@@ -123,13 +123,13 @@ TEST_P(Method, SolvesItsEquationsAsItDeclares) {
   while (!frame.done()) frame.substep(plan);
   switch (method().implicit_solve) {
     case ImplicitSolve::None:
-      EXPECT_EQ(frame.motion().solves, 0);
+      EXPECT_EQ(frame.motion().counts.solves, 0);
       break;
     case ImplicitSolve::Once:
-      EXPECT_EQ(frame.motion().solves, 1);
+      EXPECT_EQ(frame.motion().counts.solves, 1);
       break;
     case ImplicitSolve::Iterative:
-      EXPECT_GT(frame.motion().solves, 1);
+      EXPECT_GT(frame.motion().counts.solves, 1);
       break;
   }
 }

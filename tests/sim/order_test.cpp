@@ -64,18 +64,18 @@ INSTANTIATE_TEST_SUITE_P(Methods, Row, testing::ValuesIn(every_method()), method
 // net W2 of the accuracy tables: 16 x 16 points, k = 100 N/m, swinging under tension
 TEST_P(Row, MeetsItsOrder) { expect_measured(net(16, 1e2, 0.0), method().order); }
 
-TEST_P(Row, MeetsItsOrderWithDashpots) { expect_measured(net(16, 1e2, 0.03), method().order_damped); }
+TEST_P(Row, MeetsItsOrderWithDashpots) { expect_measured(net(16, 1e2, 0.03), method().order_with.damped); }
 
 TEST_P(Row, MeetsItsOrderWithDrag) {
   TestSim sim = net(16, 1e2, 0.0);
   sim.system.drag = 3.0;
-  expect_measured(sim, method().order_drag);
+  expect_measured(sim, method().order_with.drag);
 }
 
 TEST_P(Row, MeetsItsOrderWithDashpotsAndDrag) {
   TestSim sim = net(16, 1e2, 0.03);
   sim.system.drag = 3.0;
-  expect_measured(sim, std::min(method().order_damped, method().order_drag));
+  expect_measured(sim, std::min(method().order_with.damped, method().order_with.drag));
 }
 
 // The net with wind on its points and a pull on its center of mass.
@@ -86,21 +86,21 @@ TestSim windy_net() {
   return sim;
 }
 
-TEST_P(Row, MeetsItsOrderWithWind) { expect_measured(windy_net(), method().order_force_terms, refinement()); }
+TEST_P(Row, MeetsItsOrderWithWind) { expect_measured(windy_net(), method().order_with.force_terms, refinement()); }
 
 TEST_P(Row, MeetsItsOrderWithAPullOnTheCenterOfMass) {
   TestSim sim = net(16, 1e2, 0.0);
   Vec3 center(0.0);
   for (const Vec3& x : sim.state.position) center += x / static_cast<double>(sim.system.point_count());
   sim.system.forces = {{.term = &mass_center_force, .values = {center.x, center.y, center.z - 0.02, 4.0, 6.0}}};
-  expect_measured(sim, method().order_force_terms, refinement());
+  expect_measured(sim, method().order_with.force_terms, refinement());
 }
 
 TEST_P(Row, MeetsItsOrderWithWindAndDashpots) {
   TestSim sim = windy_net();
   for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->damping = 0.03;
   sim.system.drag = 1.0;
-  expect_measured(sim, std::min({method().order_force_terms, method().order_damped, method().order_drag}), refinement());
+  expect_measured(sim, std::min({method().order_with.force_terms, method().order_with.damped, method().order_with.drag}), refinement());
 }
 
 // Two masses connected by a spring fall onto a floor without restitution, stop falling, and slide on it under friction while the spring
@@ -189,27 +189,27 @@ double order_after_impact(const Integrator& method, TestSim (*make)()) {
   return std::log2(error_at(200) / error_at(1600)) / 3.0;
 }
 
-TEST_P(Row, MeetsItsOrderUnderFriction) { EXPECT_NEAR(order_after_impact(method(), sliding_pair), method().order_friction, 0.2); }
+TEST_P(Row, MeetsItsOrderUnderFriction) { EXPECT_NEAR(order_after_impact(method(), sliding_pair), method().order_with.friction, 0.2); }
 
 TEST_P(Row, MeetsItsOrderUnderFrictionOnASphere) {
-  EXPECT_NEAR(order_after_impact(method(), sliding_pair_on_sphere), method().order_friction, 0.2);
+  EXPECT_NEAR(order_after_impact(method(), sliding_pair_on_sphere), method().order_with.friction, 0.2);
 }
 
 TEST_P(Row, MeetsItsOrderWhereItLeavesABall) {
   // the error of the slide and that of the time of leaving cancel in part
-  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_ball), method().order_contact, 0.3);
-  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_rough_ball), method().order_friction, 0.2);
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_ball), method().order_with.contact, 0.3);
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_rough_ball), method().order_with.friction, 0.2);
 }
 
 TEST_P(Row, MeetsItsOrderSlidingOnABall) {
-  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_nailed_ball), method().order_contact, 0.2);
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_nailed_ball), method().order_with.contact, 0.2);
 }
 
 TEST_P(Row, MeetsItsOrderWhereItLeavesAFloor) {
-  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_floor), method().order_contact, 0.2);
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_floor), method().order_with.contact, 0.2);
 }
 
-TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) { EXPECT_NEAR(order_after_impact(method(), falling_pair), method().order_contact, 0.2); }
+TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) { EXPECT_NEAR(order_after_impact(method(), falling_pair), method().order_with.contact, 0.2); }
 
 // The largest modulus of the eigenvalues of one step, which is the growth factor of a mode: of the roots of a cubic by simultaneous
 // iteration (K. Weierstrass, E. Durand, I. O. Kerner).

@@ -26,7 +26,7 @@ struct Swept {
   }
   Field velocities_after(SweepDirection sweep) const {
     Field v = motion.v;
-    decay_dashpots(plan, plan.runs, decay, sweep, motion.x, v);
+    decay_dashpots(plan, plan.spring.runs, decay, sweep, motion.x, v);
     return v;
   }
 };
@@ -37,7 +37,7 @@ struct SweptSpring {
 };
 std::vector<SweptSpring> swept_springs(const Plan& plan) {
   std::vector<SweptSpring> result;
-  for (const SpringRun& run : plan.runs) {
+  for (const SpringRun& run : plan.spring.runs) {
     const Index step = run.second == run.first + 1 ? 2 : 1;  // in a run along a row, every other spring first
     for (Index start = 0; start < step; ++start)
       for (Index e = start; e < run.count; e += step) result.push_back({run.begin + e, run.first + e, run.second + e});

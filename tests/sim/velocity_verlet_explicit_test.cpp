@@ -31,8 +31,8 @@ Outcome run(const TestSim& start, int frames, const Settings& settings) {
   Outcome result{.state = start.state};
   for (int i = 0; i < frames; ++i) {
     result.state = next_frame(plan, frame, start.system, settings, result.state);
-    result.evaluations += frame.motion().force_evaluations;
-    result.sweeps += frame.motion().dashpot_sweeps;
+    result.evaluations += frame.motion().counts.force_evaluations;
+    result.sweeps += frame.motion().counts.dashpot_sweeps;
     result.work += frame.motion().force_work;
   }
   return result;
@@ -93,7 +93,7 @@ TEST(ExplicitVerlet, KeepsItsOrderWithDashpots) {
         sim.system.drag = drag;
         const State exact = exact_run(sim, 6).state;
         const auto error = [&](int substeps) { return distance(run(sim, 6, substeps).state, exact); };
-        EXPECT_NEAR(measured_order(error, 60), velocity_verlet_explicit.order_damped, 0.1) << points << ", " << damping;
+        EXPECT_NEAR(measured_order(error, 60), velocity_verlet_explicit.order_with.damped, 0.1) << points << ", " << damping;
       }
     }
 }
@@ -106,7 +106,7 @@ TEST(ExplicitVerlet, KeepsItsOrderInWind) {
         sim.system.drag = drag;
         const State exact = exact_run(sim, 4).state;
         const auto error = [&](int substeps) { return distance(run(sim, 4, substeps).state, exact); };
-        EXPECT_NEAR(measured_order(error, 60), velocity_verlet_explicit.order_force_terms, 0.1) << damping << ' ' << wind[0] << ' ' << drag;
+        EXPECT_NEAR(measured_order(error, 60), velocity_verlet_explicit.order_with.force_terms, 0.1) << damping << ' ' << wind[0] << ' ' << drag;
       }
     }
 }

@@ -98,7 +98,7 @@ struct PackedGas {
   explicit PackedGas(const TestSim& sim) : plan(make_plan(sim.system)) { pack(plan, sim.state, motion); }
   const ForceValues& values() const { return plan.forces[0].values; }
   double volume(std::size_t enclosure = 0) const {
-    return std::abs(signed_volume(plan, plan.enclosures.enclosures[enclosure], motion.x.data()));
+    return std::abs(signed_volume(plan, plan.force_data.enclosures.enclosures[enclosure], motion.x.data()));
   }
   double potential(double time = 0.0) const { return pressure_force.potential(plan, values(), time, motion.x.data()); }
   Field force(double time = 0.0) const { return force_at(motion.x, time); }

@@ -21,15 +21,15 @@ void add_drag(const Plan& plan, const Field& v, Field& f) {
 
 }  // namespace
 
-bool has_forces_outside_grids(const Plan& plan) { return plan.pull || !plan.loose_runs.empty() || !plan.forces.empty(); }
+bool has_forces_outside_grids(const Plan& plan) { return plan.hand.pull || !plan.spring.loose_runs.empty() || !plan.forces.empty(); }
 
 // E = k/2 |sum s_i x_i - target|^2, f_i = -k s_i (sum s_j x_j - target)
 void add_pull(const Plan& plan, double time, const Field& x, Field& f) {
-  const Vec3 target = plan.pull->target_at(time);
+  const Vec3 target = plan.hand.pull->target_at(time);
   for (int c = 0; c < plan.dimensions; ++c) {
     const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
-    const double stretch = plan.pull->interpolate(&x[begin]) - target[c];
-    for (const auto& [point, weight] : plan.pull->points()) f[begin + point] -= plan.pull->stiffness * weight * stretch;
+    const double stretch = plan.hand.pull->interpolate(&x[begin]) - target[c];
+    for (const auto& [point, weight] : plan.hand.pull->points()) f[begin + point] -= plan.hand.pull->stiffness * weight * stretch;
   }
 }
 
@@ -63,7 +63,7 @@ double compute_external_forces_with_power(const Plan& plan, double time, const F
 
 void add_inner_forces(const Plan& plan, double time, const Field& x, const Field* v, Field& f) {
   add_spring_forces(plan, x.data(), v != nullptr ? v->data() : nullptr, f.data());
-  if (plan.pull) add_pull(plan, time, x, f);
+  if (plan.hand.pull) add_pull(plan, time, x, f);
 }
 
 void compute_unlisted_forces(const Plan& plan, double time, const Field& x, const Field* v, Field& f) {
@@ -87,7 +87,7 @@ void compute_forces(const Plan& plan, double time, const Field& x, const Field& 
 }
 
 void compute_accelerations(const Plan& plan, double time, const Field& x, const Field& v, Field& a) {
-  if (plan.sticky.strength > 0.0) {
+  if (plan.force_data.sticky.strength > 0.0) {
     compute_forces(plan, time, x, v, a);
     return divide_by_mass(plan, a);
   }
@@ -97,7 +97,7 @@ void compute_accelerations(const Plan& plan, double time, const Field& x, const 
   if (has_forces_outside_grids(plan) || plan.drag != 0.0) {
     compute_external_forces(plan, time, x, v, a);
     add_loose_spring_forces(plan, x.data(), pass.u, a.data());
-    if (plan.pull) add_pull(plan, time, x, a);
+    if (plan.hand.pull) add_pull(plan, time, x, a);
     if (plan.drag != 0.0) add_drag(plan, v, a);
     pass.f = a.data();
   }

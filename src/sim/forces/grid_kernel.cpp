@@ -116,7 +116,6 @@ HWY_AFTER_NAMESPACE();
 #include <ranges>
 
 #include "sim/forces/bands.h"
-#include "sim/model/portable_math.h"
 
 namespace hooke {
 
@@ -165,11 +164,6 @@ void advance_all(const Plan& plan, const Grids& grids, const LeapfrogPass<T>& pa
 
 }  // namespace
 
-Kick<double> kick_over(const Plan& plan, double h) {
-  if (plan.drag == 0.0) return {1.0, h};
-  return {portable::exp(-plan.drag * h), -portable::expm1(-plan.drag * h) / plan.drag};
-}
-
 LeapfrogPass<double> pass_over(const Plan& plan, const Field& x) {
   const Vec3& g = plan.acceleration;
   return {.dimensions = plan.dimensions,
@@ -187,7 +181,7 @@ void add_grid_forces(const Plan& plan, const Grid& grid, const double* x, const 
 }
 
 void advance(const Plan& plan, const LeapfrogPass<double>& pass, int count) {
-  const auto views = std::views::transform(plan.grids, [&](const Grid& grid) { return view_of(plan, grid); });
+  const auto views = std::views::transform(plan.spring.grids, [&](const Grid& grid) { return view_of(plan, grid); });
   advance_all(
       plan, views, pass, count,
       [](const auto& view, const auto& band, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_band)(view, band, each); },

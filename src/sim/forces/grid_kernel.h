@@ -6,19 +6,13 @@
 #include <span>
 
 #include "sim/forces/grid_rows.h"
+#include "sim/forces/kick.h"
 #include "sim/plan/plan.h"
 
 namespace hooke {
 
 // Adds the force [N] of every spring of the grid to f; with dashpots if `v` is given.
 void add_grid_forces(const Plan& plan, const Grid& grid, const double* x, const double* v, double* f);
-
-// v' = decay v + weight a over h [s], exact for constant a with drag c: decay = e^(-c h), weight = (1 - e^(-c h)) / c; 1 and h without.
-template <class T>
-struct Kick {
-  T decay = 1, weight = 0;  // [1], [s]
-};
-Kick<double> kick_over(const Plan& plan, double h);
 
 // One pass over points: from the forces f at x, and those of dashpots at the velocity u,
 //   a = g + f / m,   v' = kick of v,   x' = x + drift v',   w = prediction: a kick of v' by the same a.

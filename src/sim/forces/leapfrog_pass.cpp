@@ -11,13 +11,13 @@ namespace {
 LeapfrogPass<double> pass_of(const Plan& plan, Motion& motion, double kick, double drift, const PassVelocities& velocities) {
   LeapfrogPass<double> pass = pass_over(plan, motion.x);
   pass.v = motion.v.data();
-  pass.kick = kick_over(plan, kick);
+  pass.kick = kick_over(plan.drag, kick);
   pass.drift = drift;
   if (drift != 0.0) pass.drifted = motion.x.data();
   if (plan.has_dashpots() && velocities.acting != nullptr) pass.u = velocities.acting->data();
   if (velocities.predicted == nullptr) return pass;
   pass.w = velocities.predicted->data();
-  pass.prediction = kick_over(plan, velocities.ahead);
+  pass.prediction = kick_over(plan.drag, velocities.ahead);
   return pass;
 }
 
@@ -38,7 +38,7 @@ void compute_other_forces(const Plan& plan, double time, Motion& motion, const P
   else
     compute_external_forces(plan, time, motion.x, motion.v, motion.a);
   add_loose_spring_forces(plan, motion.x.data(), pass.u, motion.a.data());
-  if (plan.pull) add_pull(plan, time, motion.x, motion.a);
+  if (plan.hand.pull) add_pull(plan, time, motion.x, motion.a);
   pass.f = motion.a.data();
 }
 
@@ -52,8 +52,8 @@ void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift,
 
 void accelerate_kick_and_drift(const Plan& plan, double time, Motion& motion, double kick, double drift,
                                const PassVelocities& velocities) {
-  ++motion.force_evaluations;
-  if (plan.sticky.strength > 0.0) {
+  ++motion.counts.force_evaluations;
+  if (plan.force_data.sticky.strength > 0.0) {
     accelerate_with_balancing_forces(plan, time, motion, velocities);
     return kick_and_drift(plan, motion, kick, drift, velocities);
   }
@@ -68,7 +68,7 @@ void repeat_kick_and_drift(const Plan& plan, Motion& motion, double h, int steps
   motion.acceleration_is_current = false;
   if (plan.execution.single != nullptr) {
     plan.execution.single->advance(plan, pass, steps, motion);
-  } else if (plan.loose_runs.empty()) {
+  } else if (plan.spring.loose_runs.empty()) {
     advance(plan, pass, steps);
   } else {
     for (int i = 0; i < steps; ++i) {
@@ -76,7 +76,7 @@ void repeat_kick_and_drift(const Plan& plan, Motion& motion, double h, int steps
       advance(plan, pass, 1);
     }
   }
-  motion.force_evaluations += steps;
+  motion.counts.force_evaluations += steps;
   motion.time += steps * h;
 }
 

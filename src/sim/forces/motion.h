@@ -18,16 +18,8 @@ struct BrokenSpring {
   double dashpot_power = 0.0;  // [W]
 };
 
-struct Motion {
-  double time = 0.0;
-  Field x, v;  // positions [m] and velocities [m/s]
-  Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
-  // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
-  bool acceleration_is_current = false;
-  // [W], of the listed forces at the end of the method's last step, but for what follows from potentials; none: the method does not know it.
-  std::optional<double> power;
-  MethodMemory memory;
-  // since the start of the frame
+// What was done since the start of the frame.
+struct WorkCounts {
   long force_evaluations = 0;
   long factorizations = 0;
   long solves = 0;              // linear systems solved with a factorization
@@ -38,6 +30,18 @@ struct Motion {
   // of contact of points, faces and springs with each other: pairs that were examined, on paths once for each distance, and impulses
   // between two, those of each sweep
   long contact_tests = 0, contact_impulses = 0;
+};
+
+struct Motion {
+  double time = 0.0;
+  Field x, v;  // positions [m] and velocities [m/s]
+  Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
+  // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
+  bool acceleration_is_current = false;
+  // [W], of the listed forces at the end of the method's last step, but for what follows from potentials; none: the method does not know it.
+  std::optional<double> power;
+  MethodMemory memory;
+  WorkCounts counts;
   // at the start of the frame: edges that pass through faces, in flat scenes springs through each other, of those that contact keeps apart
   long crossings = 0;
   // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
@@ -61,14 +65,14 @@ class Structure {
   explicit Structure(const Plan& plan)
       : points_(plan.points),
         dimensions_(plan.dimensions),
-        runs_(plan.runs),
-        hinge_begin_(plan.hinges.begin),
-        hinge_column_(plan.hinges.column),
-        enclosure_edges_(plan.enclosures.edges) {}
+        runs_(plan.spring.runs),
+        hinge_begin_(plan.force_data.hinges.begin),
+        hinge_column_(plan.force_data.hinges.column),
+        enclosure_edges_(plan.force_data.enclosures.edges) {}
   virtual ~Structure() = default;
   bool fits(const Plan& plan) const {
-    return plan.points == points_ && plan.dimensions == dimensions_ && plan.runs == runs_ && plan.hinges.begin == hinge_begin_ &&
-           plan.hinges.column == hinge_column_ && plan.enclosures.edges == enclosure_edges_;
+    return plan.points == points_ && plan.dimensions == dimensions_ && plan.spring.runs == runs_ && plan.force_data.hinges.begin == hinge_begin_ &&
+           plan.force_data.hinges.column == hinge_column_ && plan.force_data.enclosures.edges == enclosure_edges_;
   }
 
  private:

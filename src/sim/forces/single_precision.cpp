@@ -66,9 +66,9 @@ void SinglePrecision::store(const Plan& plan, Motion& motion) const {
 
 void SinglePrecision::advance(const Plan& plan, const LeapfrogPass<double>& pass, int steps, Motion& motion) {
   load(plan, motion);
-  numbers_.resize(plan.grids.size());
-  views_.resize(plan.grids.size());
-  for (std::size_t g = 0; g < plan.grids.size(); ++g) views_[g] = view_of(plan.grids[g], numbers_[g]);
+  numbers_.resize(plan.spring.grids.size());
+  views_.resize(plan.spring.grids.size());
+  for (std::size_t g = 0; g < plan.spring.grids.size(); ++g) views_[g] = view_of(plan.spring.grids[g], numbers_[g]);
   LeapfrogPass<float> single{.dimensions = plan.dimensions,
                           .stride = pitch_,
                           .inverse_mass = inverse_mass_.data(),

@@ -95,9 +95,9 @@ HWY_INLINE void compute_block(const Plan& plan, Index packed, Index count, const
   const hn::ScalableTag<double> wide;
   const hn::CappedTag<double, 1> single;
   const Index lanes = static_cast<Index>(hn::Lanes(wide));
-  const double* stiffness = plan.stiffness.data() + packed;
-  const double* rest_length = plan.rest_length.data() + packed;
-  const double* damping = Damped ? plan.damping.data() + packed : nullptr;
+  const double* stiffness = plan.spring.stiffness.data() + packed;
+  const double* rest_length = plan.spring.rest_length.data() + packed;
+  const double* damping = Damped ? plan.spring.damping.data() + packed : nullptr;
   if (count >= lanes) {
     for (Index e = 0; e < count; e += lanes)
       compute_forces_of<Dimensions, Damped>(wide, e + lanes <= count ? e : count - lanes, x, v, stiffness, rest_length, damping, force);
@@ -188,8 +188,8 @@ HWY_INLINE const SpringRun* add_short_runs(const Plan& plan, const SpringRun* ru
 template <int Dimensions, bool Damped>
 void add_forces(const Plan& plan, const double* x, const double* v, double* f) {
   HWY_ALIGN double force[3][block + 2 * padding] = {};
-  const SpringRun* const end = plan.loose_runs.data() + plan.loose_runs.size();
-  for (const SpringRun* run = plan.loose_runs.data(); run != end;) {
+  const SpringRun* const end = plan.spring.loose_runs.data() + plan.spring.loose_runs.size();
+  for (const SpringRun* run = plan.spring.loose_runs.data(); run != end;) {
     if (is_gathered(*run))
       run = add_short_runs<Dimensions, Damped>(plan, run, end, x, v, f, force);
     else
@@ -214,7 +214,7 @@ HWY_EXPORT(add_damped_forces_2d);
 HWY_EXPORT(add_damped_forces_3d);
 
 void add_loose_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {
-  if (plan.loose_runs.empty()) return;
+  if (plan.spring.loose_runs.empty()) return;
   if (plan.dimensions == 2)
     v != nullptr ? HWY_DYNAMIC_DISPATCH(add_damped_forces_2d)(plan, x, v, f) : HWY_DYNAMIC_DISPATCH(add_forces_2d)(plan, x, v, f);
   else
@@ -223,7 +223,7 @@ void add_loose_spring_forces(const Plan& plan, const double* x, const double* v,
 
 void add_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {
   add_loose_spring_forces(plan, x, v, f);
-  for (const Grid& grid : plan.grids) add_grid_forces(plan, grid, x, v, f);
+  for (const Grid& grid : plan.spring.grids) add_grid_forces(plan, grid, x, v, f);
 }
 
 }  // namespace hooke

@@ -9,9 +9,9 @@
 
 #include "sim/forces/dashpots/dashpot.h"
 #include "sim/forces/forces.h"
+#include "sim/forces/kick.h"
 #include "sim/forces/leapfrog_pass.h"
 #include "sim/methods/rows.h"
-#include "sim/model/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -33,7 +33,7 @@ constexpr std::array<double, drifts> drift_weight = [] {
 constexpr double prediction_weight(int kick) { return kick == drifts ? kick_weight[kick] : 0.5 * kick_weight[kick]; }
 
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
-  work.size_fields(plan.forces_depend_on_velocity ? 1 : 0, motion);
+  work.size_fields(plan.force_data.depend_on_velocity ? 1 : 0, motion);
   if (plan.has_dashpots()) work.dashpots.prepare(plan, 0.5 * h);
 }
 
@@ -51,35 +51,34 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   for (int i = 0; i < drifts; ++i) {
     time += drift_weight[i] * h;
     const double next_drift = i + 1 < drifts ? drift_weight[i + 1] * h : 0.0;
-    if (!plan.forces_depend_on_velocity) {
+    if (!plan.force_data.depend_on_velocity) {
       accelerate_kick_and_drift(plan, time, motion, kick_weight[i + 1] * h, next_drift);
       continue;
     }
     predict_velocity(plan, motion, prediction_weight(i + 1) * h, velocity);
     compute_position_forces(plan, time, motion.x, velocity, motion.a);
     divide_by_mass(plan, motion.a);
-    ++motion.force_evaluations;
+    ++motion.counts.force_evaluations;
     kick_and_drift(plan, motion, kick_weight[i + 1] * h, next_drift);
   }
-  motion.acceleration_is_current = !plan.forces_depend_on_velocity;
+  motion.acceleration_is_current = !plan.force_data.depend_on_velocity;
 
   if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, motion.x, motion.v);
-  motion.dashpot_sweeps += damped ? 2 : 0;
+  motion.counts.dashpot_sweeps += damped ? 2 : 0;
 }
 
 // The columns of the step's matrix on (x, h v): kicks v' = E v + phi a, E = e^(-c b h), phi = (1 - E) / c.
 Amplification amplification(const Oscillator& oscillator) {
   const double drag = oscillator.h_drag, dashpot = portable::exp(-0.5 * oscillator.h_lambda);
-  const auto decay = [&](double weight) { return portable::exp(-drag * weight); };
-  const auto phi = [&](double weight) { return drag == 0.0 ? weight : -portable::expm1(-drag * weight) / drag; };
   double x[] = {1.0, 0.0}, v[] = {0.0, dashpot};
   for (int column = 0; column < 2; ++column) {
     double a = 0.0;
     for (int i = 0; i <= drifts; ++i) {
       const double weight = i == 0 ? 0.0 : prediction_weight(i);
-      const double velocity = decay(weight) * v[column] + phi(weight) * a;
+      const Kick<double> predicted = kick_over(drag, weight), kick = kick_over(drag, kick_weight[i]);
+      const double velocity = predicted.decay * v[column] + predicted.weight * a;
       a = -oscillator.h_omega_squared * x[column] - oscillator.h_rate * velocity;
-      v[column] = decay(kick_weight[i]) * v[column] + phi(kick_weight[i]) * a;
+      v[column] = kick.decay * v[column] + kick.weight * a;
       if (i < drifts) x[column] += drift_weight[i] * v[column];
     }
   }
@@ -100,11 +99,7 @@ constinit const Integrator blanes_moan4{
         "dashpots split off as in velocity_verlet",
     .source = "S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313-330, SRKN_6^b",
     .order = 4,
-    .order_drag = 4,
-    .order_damped = 2,
-    .order_contact = 2,
-    .order_friction = 1,
-    .order_force_terms = 2,
+    .order_with = {.drag = 4, .damped = 2, .contact = 2, .friction = 1, .force_terms = 2},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,

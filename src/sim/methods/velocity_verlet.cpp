@@ -7,15 +7,15 @@
 // order and costs a second evaluation of them per step.
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/forces.h"
+#include "sim/forces/kick.h"
 #include "sim/forces/leapfrog_pass.h"
 #include "sim/methods/rows.h"
-#include "sim/model/portable_math.h"
 
 namespace hooke {
 namespace {
 
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
-  work.size_fields(plan.forces_depend_on_velocity ? 2 : 0, motion);
+  work.size_fields(plan.force_data.depend_on_velocity ? 2 : 0, motion);
   if (plan.has_dashpots()) work.dashpots.prepare(plan, 0.5 * h);
 }
 
@@ -34,7 +34,7 @@ void kick_and_drift_with_velocity(const Plan& plan, Motion& motion, Workspace& w
     motion.a = unlisted;
     add_force_terms(plan, time, motion.x, v, motion.a);
     divide_by_mass(plan, motion.a);
-    ++motion.force_evaluations;
+    ++motion.counts.force_evaluations;
   };
   if (!motion.acceleration_is_current) compute_unlisted_forces(plan, motion.time, motion.x, nullptr, unlisted);
   accelerate(motion.time, motion.v);
@@ -47,13 +47,13 @@ void kick_and_drift_with_velocity(const Plan& plan, Motion& motion, Workspace& w
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   const bool damped = plan.has_dashpots();
   if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.x, motion.v);
-  if (plan.forces_depend_on_velocity)
+  if (plan.force_data.depend_on_velocity)
     kick_and_drift_with_velocity(plan, motion, work, h);
   else
     kick_and_drift_alone(plan, motion, h);
   motion.acceleration_is_current = true;
   if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, motion.x, motion.v);
-  motion.dashpot_sweeps += damped ? 2 : 0;
+  motion.counts.dashpot_sweeps += damped ? 2 : 0;
 }
 
 // Without sweeps between them, the last kick of a step and the first of the next are one of h.
@@ -79,8 +79,8 @@ double modified_energy(const Plan& plan, const Motion& motion, double h) {
 
 // The columns of the step's matrix on (x, h v), with E and phi per half step.
 Amplification amplification(const Oscillator& oscillator) {
-  const double decay = portable::exp(-0.5 * oscillator.h_drag), dashpot = portable::exp(-0.5 * oscillator.h_lambda);
-  const double phi = oscillator.h_drag == 0.0 ? 0.5 : -portable::expm1(-0.5 * oscillator.h_drag) / oscillator.h_drag;
+  const auto [decay, phi] = kick_over(oscillator.h_drag, 0.5);
+  const double dashpot = portable::exp(-0.5 * oscillator.h_lambda);
   double x[] = {1.0, 0.0}, v[] = {0.0, dashpot};
   for (int column = 0; column < 2; ++column) {
     const double start = -oscillator.h_omega_squared * x[column] - oscillator.h_rate * v[column];
@@ -110,11 +110,7 @@ constinit const Integrator velocity_verlet{
         "C. Stoermer, 1907; L. Verlet, Phys. Rev. 159 (1967) 98-103; W. C. Swope et al., J. Chem. Phys. 76 (1982) 637-649; splitting: G. "
         "Strang, 1968",
     .order = 2,
-    .order_drag = 2,
-    .order_damped = 2,
-    .order_contact = 2,
-    .order_friction = 1,
-    .order_force_terms = 2,
+    .order_with = {.drag = 2, .damped = 2, .contact = 2, .friction = 1, .force_terms = 2},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,

@@ -4,9 +4,9 @@
 // with E = e^(-c h/2), phi = (1 - E) / c (h/2 when c = 0). Second order, conserves momentum, symplectic when undamped. Dashpots limit the
 // step: without drag it is stable for (h omega)^2 / 4 + h lambda < 1.
 #include "sim/forces/energy/plan_energy.h"
+#include "sim/forces/kick.h"
 #include "sim/forces/leapfrog_pass.h"
 #include "sim/methods/rows.h"
-#include "sim/model/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -46,9 +46,8 @@ double modified_energy(const Plan& plan, const Motion& motion, double h) {
 // With u the velocity at the middle of a step, r = h (lambda + q) and units of h, an eigenvector with the eigenvalue z has
 //   (z - 1) x = z u,   (z - E^2) u = phi (1 + E) a,   a = -omega^2 x - r (E u + phi a / z)
 Amplification amplification(const Oscillator& oscillator) {
-  const double decay = portable::exp(-0.5 * oscillator.h_drag), whole_decay = decay * decay;
-  const double phi = oscillator.h_drag == 0.0 ? 0.5 : -portable::expm1(-0.5 * oscillator.h_drag) / oscillator.h_drag;
-  const double whole_phi = phi * (1.0 + decay), rate = oscillator.h_lambda + oscillator.h_rate;
+  const auto [decay, phi] = kick_over(oscillator.h_drag, 0.5);
+  const double whole_decay = decay * decay, whole_phi = phi * (1.0 + decay), rate = oscillator.h_lambda + oscillator.h_rate;
   const double of_middle = rate * decay * whole_phi, of_last = rate * phi;
   return {.trace = 1.0 + whole_decay - of_last - of_middle - oscillator.h_omega_squared * whole_phi,
           .determinant = whole_decay - of_last * (1.0 + whole_decay) - of_middle,
@@ -69,11 +68,7 @@ constinit const Integrator velocity_verlet_explicit{
         "v' = E v + phi a'",
     .source = "R. D. Groot, P. B. Warren, J. Chem. Phys. 107 (1997) 4423-4435, lambda = 1",
     .order = 2,
-    .order_drag = 2,
-    .order_damped = 2,
-    .order_contact = 2,
-    .order_friction = 1,
-    .order_force_terms = 2,
+    .order_with = {.drag = 2, .damped = 2, .contact = 2, .friction = 1, .force_terms = 2},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,

@@ -70,30 +70,30 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   has_touched_ = false;
   h_ = duration_ / substeps_;
   left_ = prepared_ = h_;
-  locates_breaks_ = settings.locates_breaks && !plan.break_length.empty();
+  locates_breaks_ = settings.locates_breaks && !plan.spring.break_length.empty();
   start_ = state.time;
   pack(plan, state, motion_);
   motion_.memory.choice = choice;
   motion_.memory.islands.clear();
-  collider_displacement_ = plan.grabbed_collider ? duration_ * plan.grabbed_collider->velocity : Vec3(0.0);
+  collider_displacement_ = plan.collider_paths.grabbed ? duration_ * plan.collider_paths.grabbed->velocity : Vec3(0.0);
 
   // a held point moves in a straight line to the target, as a point of infinite mass with that velocity: exact for every method
   const std::optional<ActiveGrab> grab = active_grab(system, state, duration_);
   const Vec3 from = grab && !system.grab ? state.position[system.index_of(grab->point)] : state.hand.position;
   target_ = grab ? clamp_hand_target(system, from, grab->target, duration_) : Vec3(0.0);
-  const Vec3 displacement = !grab ? Vec3(0.0) : target_ - (plan.held ? state.position[plan.listed_index(*plan.held)] : from);
+  const Vec3 displacement = !grab ? Vec3(0.0) : target_ - (plan.hand.held ? state.position[plan.listed_index(*plan.hand.held)] : from);
   hand_speed_ = (glm::length(displacement) + glm::length(collider_displacement_)) / duration_;
   hand_stretch_ = grab ? stretch_energy(system, glm::length(displacement) / substeps_) : 0.0;
-  if (plan.held) {
-    const Vec3 velocity = displacement / duration_, before = state.velocity[plan.listed_index(*plan.held)];
-    for (int c = 0; c < plan.dimensions; ++c) motion_.v[static_cast<std::size_t>(c) * plan.points + *plan.held] = velocity[c];
-    motion_.hand_work = 0.5 * plan.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before));
+  if (plan.hand.held) {
+    const Vec3 velocity = displacement / duration_, before = state.velocity[plan.listed_index(*plan.hand.held)];
+    for (int c = 0; c < plan.dimensions; ++c) motion_.v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held] = velocity[c];
+    motion_.hand_work = 0.5 * plan.hand.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before));
     motion_.abs_hand_work = std::abs(motion_.hand_work);
   }
 
   broken_.clear();
-  broken_.reserve(plan.break_length.size());
-  motion_.breaks.reserve(plan.break_length.size());
+  broken_.reserve(plan.spring.break_length.size());
+  motion_.breaks.reserve(plan.spring.break_length.size());
   work_.tolerance = settings.tolerance;
   work_.min_step = 1e-9 * h_;
   force_work_.begin_frame(plan, motion_);
@@ -151,7 +151,7 @@ namespace {
 
 // Whether nothing acts between two substeps or depends on the time.
 bool acts_between_substeps(const Plan& plan) {
-  return plan.held || plan.pull || plan.has_contact() || !plan.forces.empty() || !plan.break_length.empty() || !plan.max_length.empty();
+  return plan.hand.held || plan.hand.pull || plan.has_contact() || !plan.forces.empty() || !plan.spring.break_length.empty() || !plan.spring.max_length.empty();
 }
 
 }  // namespace
@@ -184,10 +184,10 @@ void Frame::substep(Plan& plan) {
   if (take_several(plan)) return;
 
   const bool is_adaptive = integrator_->advance != nullptr;
-  const bool lags = integrator_->velocity_lag != 0.0 && !plan.max_length.empty();
+  const bool lags = integrator_->velocity_lag != 0.0 && !plan.spring.max_length.empty();
   if (left_ == h_) sticking_.begin_substep();
   sticking_.begin_step(plan, motion_);
-  const bool may_release = !plan.sticky.held.empty();
+  const bool may_release = !plan.force_data.sticky.held.empty();
   if (((plan.has_contact() || lags) && !is_adaptive) || may_release) keep_start(plan, motion_, before_);
 
   bool is_moved = false;
@@ -204,7 +204,7 @@ void Frame::substep(Plan& plan) {
 
 // By `length` [s], or by less with a method that adapts its step, up to where springs break. Returns the length; 0: it failed.
 double Frame::advance(Plan& plan, double length, bool& is_moved) {
-  const bool is_adaptive = integrator_->advance != nullptr, has_hand = plan.held || plan.pull;
+  const bool is_adaptive = integrator_->advance != nullptr, has_hand = plan.hand.held || plan.hand.pull;
   const double power = hand_power(plan, motion_), stored = energy_of_hand_alone(plan, motion_);
   if (is_adaptive) {
     length = adaptive_step_.advance(plan, *integrator_, motion_, work_, length, left_, force_work_);
@@ -280,7 +280,7 @@ bool Frame::act(Plan& plan, double h) {
 }
 
 void Frame::break_long_springs(Plan& plan) {
-  if (plan.break_length.empty() || !break_springs(plan, motion_, broken_)) return;
+  if (plan.spring.break_length.empty() || !break_springs(plan, motion_, broken_)) return;
   motion_.acceleration_is_current = false;
   prepare_method(plan, prepared_);
 }
@@ -298,7 +298,7 @@ void Frame::prepare_method(const Plan& plan, double h) {
 // oscillations of colliders, or of springs that break at their largest length: parts of the substep.
 double Frame::next_step(const Plan& plan) const {
   const bool is_adaptive = integrator_->advance != nullptr;
-  double max = is_adaptive ? plan.resolving_step : left_;
+  double max = is_adaptive ? plan.collider_paths.resolving_step : left_;
   if (locates_breaks_) {
     constexpr double max_angle = 0.25;       // [rad], of the fastest vibration
     constexpr double min_part = 1.0 / 64.0;  // of a substep, by which a spring may break too late
@@ -332,13 +332,13 @@ void Frame::end(const Plan& plan, State& state) const {
   state.ledger.net_input += motion_.hand_work;
   state.ledger.scale += motion_.abs_hand_work;
   state.ledger.hand_stretch = std::max(state.ledger.hand_stretch, hand_stretch_);
-  if (state.ledger.extent && (plan.held || plan.pull || plan.grabbed_collider)) {
+  if (state.ledger.extent && (plan.hand.held || plan.hand.pull || plan.collider_paths.grabbed)) {
     const double distance = state.hand.collider ? glm::length(anchor_of(state.hand.collider->shape)) : 0.0;
     state.ledger.extent = std::max({*state.ledger.extent, glm::length(target_), distance});
     state.ledger.speed = std::max(state.ledger.speed.value_or(0.0), hand_speed_);
   }
-  if (plan.held)
-    for (int c = 0; c < plan.dimensions; ++c) state.position[plan.listed_index(*plan.held)][c] = target_[c];
+  if (plan.hand.held)
+    for (int c = 0; c < plan.dimensions; ++c) state.position[plan.listed_index(*plan.hand.held)][c] = target_[c];
 }
 
 }  // namespace hooke

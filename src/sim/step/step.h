@@ -55,8 +55,8 @@ class Frame {
 
   // Of a method that adapts its step, for the coming frames: fewer than max_adaptive_evaluations.
   void limit_evaluations(long max) { adaptive_step_.limit_evaluations(max); }
-  long force_evaluations() const { return motion_.force_evaluations; }
-  long factorizations() const { return motion_.factorizations; }
+  long force_evaluations() const { return motion_.counts.force_evaluations; }
+  long factorizations() const { return motion_.counts.factorizations; }
   // All cost counters, and the method's own error estimate.
   const Motion& motion() const { return motion_; }
   // [ms], of the frames that `auto` computed on copies so far and did not use, by the model of the cost.

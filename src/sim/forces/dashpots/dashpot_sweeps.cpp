@@ -7,17 +7,16 @@
 namespace hooke {
 
 void DashpotSweeps::divide_springs(const Plan& plan) {
-  constexpr Index min_springs = 16'000, min_springs_per_crossing = 20;
-  if (plan.springs < min_springs) return;
+  if (plan.springs < min_springs_of_halves) return;
 
   // between two rows, if there is a grid
   Index middle = plan.points / 2;
-  for (const Grid& grid : plan.grids)
+  for (const Grid& grid : plan.spring.grids)
     if (grid.first < middle && middle < grid.first + grid.points())
       middle = grid.first + (middle - grid.first) / grid.columns * grid.columns;
 
   Index crossings = 0;
-  for (const SpringRun& run : plan.runs) {
+  for (const SpringRun& run : plan.spring.runs) {
     // the parts of the run: both ends before the middle, one of them, none
     const Index before = std::clamp(middle - run.second, Index{0}, run.count), until = std::clamp(middle - run.first, Index{0}, run.count);
     const auto add = [&](std::vector<SpringRun>& runs, Index begin, Index end) {
@@ -37,10 +36,10 @@ void DashpotSweeps::clear_halves() {
 
 void DashpotSweeps::prepare(const Plan& plan, double duration) {
   plan_dashpot_decay(plan, duration, decay_);
-  if (known_runs_ == plan.runs) return;
+  if (known_runs_ == plan.spring.runs) return;
   clear_halves();
   divide_springs(plan);
-  known_runs_ = plan.runs;
+  known_runs_ = plan.spring.runs;
 }
 
 // Forward: from the middle to both sides.
@@ -84,7 +83,7 @@ void DashpotSweeps::sweep(const Plan& plan, SweepDirection sweep, const Field& x
 
 void DashpotSweeps::apply(const Plan& plan, SweepDirection sweep, const Field& x, Field& v) {
   if (!halves_[0].empty()) return sweep_halves(plan, sweep, x, v);
-  decay_dashpots(plan, plan.runs, decay_, sweep, x, v);
+  decay_dashpots(plan, plan.spring.runs, decay_, sweep, x, v);
 }
 
 }  // namespace hooke

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/forces/constants.h"
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
@@ -62,7 +63,7 @@ void ForceWork::begin_frame(const Plan& plan, const Motion& motion) {
   memory_ = {};
   has_power_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
   has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
-  is_alone_ = !plan.held && !plan.pull && air_acceleration(plan) == Vec3(0.0);
+  is_alone_ = !plan.hand.held && !plan.hand.pull && air_acceleration(plan) == Vec3(0.0);
   if (!has_work(plan)) return;
   x_.resize(motion.x.size());
   if (plan.forces.empty()) return;
@@ -100,14 +101,11 @@ void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h) {
     return;
   }
   memory_.power = power_of(plan, motion.time, motion.x, motion.v);
-  // With a larger product Simpson's rule yields more than implicit methods dissipate, by a fraction of (rate h)^2 / 12, which would appear
-  // as a gain. Points faster than the air have higher rates than these: then the power changes by more than a part of itself.
-  constexpr double max_resolved = 0.3, max_bend = 0.2;
-  if ((plan.spectrum.force_rate + plan.spectrum.estimated_rate) * h <= max_resolved) {
+  if ((plan.spectrum.force_rate + plan.spectrum.estimated_rate) * h <= max_resolved_rate) {
     set_cubic_middle({x_.data(), v_.data(), motion.x.data(), motion.v.data()}, h, middle_x_.data(), middle_v_.data(), x_.size());
     const double in_the_middle = power_of(plan, middle, middle_x_, middle_v_);
     if (std::abs(start - 2.0 * in_the_middle + memory_.power) <=
-        max_bend * std::max({std::abs(start), std::abs(in_the_middle), std::abs(memory_.power)})) {
+        max_power_bend * std::max({std::abs(start), std::abs(in_the_middle), std::abs(memory_.power)})) {
       power_work_ = h / 6.0 * (start + 4.0 * in_the_middle + memory_.power);
       return;
     }
@@ -142,9 +140,9 @@ void ForceWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_
     // middle of its path.
     Field& end_x = middle_x_;
     std::ranges::copy(motion.x, end_x.begin());
-    if (plan.held)
+    if (plan.hand.held)
       for (int c = 0; c < plan.dimensions; ++c) {
-        const std::size_t held = static_cast<std::size_t>(c) * plan.points + static_cast<std::size_t>(*plan.held);
+        const std::size_t held = static_cast<std::size_t>(c) * plan.points + static_cast<std::size_t>(*plan.hand.held);
         x_[held] = end_x[held] = 0.5 * (x_[held] + motion.x[held]);
       }
     reversible += potential_work(plan, middle, x_, end_x);

@@ -7,10 +7,10 @@
 namespace hooke {
 
 bool is_about_to_break(const Plan& plan, const State& state, double duration) {
-  if (plan.break_length.empty()) return false;
-  for (const SpringRun& run : plan.runs)
+  if (plan.spring.break_length.empty()) return false;
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      const double limit = plan.break_length[run.begin + e];
+      const double limit = plan.spring.break_length[run.begin + e];
       if (!std::isfinite(limit)) continue;
       const Index first = plan.listed_index(run.first + e), second = plan.listed_index(run.second + e);
       const Vec3 between = state.position[second] - state.position[first], relative = state.velocity[second] - state.velocity[first];

@@ -46,9 +46,9 @@ double speed_of(const Plan& plan, const State& state, double frame) {
   for (const Vec3& v : state.velocity) sum += glm::dot(v, v);
   const double rms = state.velocity.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(state.velocity.size()));
   double hand = 0.0;
-  if (plan.pull) hand = glm::length(plan.pull->velocity);
-  if (plan.grabbed_collider) hand = std::max(hand, glm::length(plan.grabbed_collider->velocity));
-  if (plan.held) hand = std::max(hand, glm::length(state.hand.target - state.hand.position) / frame);
+  if (plan.hand.pull) hand = glm::length(plan.hand.pull->velocity);
+  if (plan.collider_paths.grabbed) hand = std::max(hand, glm::length(plan.collider_paths.grabbed->velocity));
+  if (plan.hand.held) hand = std::max(hand, glm::length(state.hand.target - state.hand.position) / frame);
   return rms + hand + frame * glm::length(plan.gravity) + 1e-9;
 }
 
@@ -101,7 +101,7 @@ bool follow(MethodChoice& choice, Trials& trials, const Plan& plan, const System
                                                  : effective_order(system, *choice.method);
   const bool has_stable_half = choice.substeps / 2 >= choice.min_substeps && choice.method->implicit_solve == ImplicitSolve::None;
   const bool is_by_coarser =
-      has_stable_half && order > 1 && before > easy_ratio && !is_sudden && plan.break_length.empty() && !plan.surface.on;
+      has_stable_half && order > 1 && before > easy_ratio && !is_sudden && plan.spring.break_length.empty() && !plan.surface.on;
   bool breaks = false;
   Trials::Result result;
   const auto measure = [&](int substeps, bool by_coarser) {
@@ -151,7 +151,7 @@ bool follow(MethodChoice& choice, Trials& trials, const Plan& plan, const System
   const bool is_resonant = max_frames_in_resonance(*choice.method, plan.spectrum, settings.frame_rate, goal.frequency, choice.substeps) <
                            std::numeric_limits<int>::max();
   const bool has_jumped = is_edited || (is_sudden && is_resonant);
-  const bool is_smooth = !has_jumped && !plan.held && !plan.has_contact() && plan.break_length.empty();
+  const bool is_smooth = !has_jumped && !plan.hand.held && !plan.has_contact() && plan.spring.break_length.empty();
   const double max_spent = trials.total_cost() + max_comparison * goal.max_cost;
   for (int attempt = 0; choice.ratio > 1.0 && choice.substeps < max_automatic_substeps && attempt < max_attempts; ++attempt) {
     if (trials.total_cost() > max_spent) break;
@@ -336,7 +336,7 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
       choice.interval = min_interval;
       choice.until_selection = std::clamp(choice.until_selection, 1, 10);
     }
-    const bool has_hand = plan.held || plan.pull || plan.grabbed_collider;
+    const bool has_hand = plan.hand.held || plan.hand.pull || plan.collider_paths.grabbed;
     const bool is_beyond = !is_tolerance_met(choice, settings);  // which is reported: try again when the next estimate is due
     const bool is_breaking = is_about_to_break(plan, state, frame);
     // the frames before do not show what happens in it, nor do those after: their substeps are for it alone
@@ -347,7 +347,7 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
     is_event = !is_beyond && (is_event || is_breaking);
     const bool whips = !is_beyond && is_whipping(choice, turning);
     const bool is_due = is_edited || is_event || choice.until_estimate <= 0 || whips || passes;
-    if (!is_due && (plan.has_contact() || !plan.break_length.empty()) && !is_beyond) {
+    if (!is_due && (plan.has_contact() || !plan.spring.break_length.empty()) && !is_beyond) {
       begin();
       is_event = strikes(*trials_, choice, settings, target);
     }

@@ -21,8 +21,8 @@ constexpr double ns_per_pair = 1.5, ns_per_spring = 12.0;
 
 // Those of the previous call, if the scene still has the same springs.
 void FrequencyBound::find_neighbors(const Plan& plan) {
-  if (runs_ == plan.runs && begin_.size() == static_cast<std::size_t>(plan.points) + 1) return;
-  runs_ = plan.runs;
+  if (runs_ == plan.spring.runs && begin_.size() == static_cast<std::size_t>(plan.points) + 1) return;
+  runs_ = plan.spring.runs;
   first_.assign(plan.springs, 0);
   second_.assign(plan.springs, 0);
   begin_.assign(static_cast<std::size_t>(plan.points) + 1, 0);
@@ -52,7 +52,7 @@ double FrequencyBound::cost(const Plan& plan) {
 
 double FrequencyBound::relative(const Plan& plan, const State& state, double duration) {
   const Spectrum& bounds = plan.spectrum;
-  if (plan.springs == 0 || !plan.forces.empty() || plan.pull || plan.has_contact() || !plan.max_length.empty() || bounds.omega <= 0.0)
+  if (plan.springs == 0 || !plan.forces.empty() || plan.hand.pull || plan.has_contact() || !plan.spring.max_length.empty() || bounds.omega <= 0.0)
     return 1.0;
   find_neighbors(plan);
 
@@ -70,7 +70,7 @@ double FrequencyBound::relative(const Plan& plan, const State& state, double dur
     const double approach = glm::dot(w, direction.along);
     direction.turn = turn_margin * duration * glm::length(w - approach * direction.along) / length;
     const double longest = length + turn_margin * duration * std::abs(approach);
-    const double k = plan.stiffness[e] * std::max(0.0, 1.0 - plan.rest_length[e] / longest);
+    const double k = plan.spring.stiffness[e] * std::max(0.0, 1.0 - plan.spring.rest_length[e] / longest);
     const double a = plan.inverse_mass[i], b = plan.inverse_mass[j], coupling = std::sqrt(a * b);
     tension_[i] += k * (a + coupling);
     tension_[j] += k * (b + coupling);
@@ -86,8 +86,8 @@ double FrequencyBound::relative(const Plan& plan, const State& state, double dur
         const Index f = adjacent_[at];
         const Direction& other = directions_[f];
         const double part = std::min(1.0, std::abs(glm::dot(of.along, other.along)) + of.turn + other.turn);
-        sum += plan.stiffness[f] * part;
-        if (plan.has_dashpots()) dashpot_sum += plan.damping[f] * part;
+        sum += plan.spring.stiffness[f] * part;
+        if (plan.has_dashpots()) dashpot_sum += plan.spring.damping[f] * part;
       }
       row += plan.inverse_mass[i] * sum;
       dashpot_row += plan.inverse_mass[i] * dashpot_sum;

@@ -26,7 +26,7 @@ struct IslandPart {
 // The smallest index of the points that each point is connected with.
 std::vector<Index> find_parts(const Plan& plan) {
   DisjointSets sets(static_cast<std::size_t>(plan.points));
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) sets.join(run.first + e, run.second + e);
   std::vector<Index> root(static_cast<std::size_t>(plan.points));
   for (Index i = 0; i < plan.points; ++i) root[i] = sets.root(i);
@@ -38,7 +38,7 @@ std::vector<IslandPart> measure_parts(const Plan& plan, const System& system, co
   const auto count = static_cast<std::size_t>(plan.points);
   const SpectrumRows rows = spectrum_rows(system);
   std::vector<IslandPart> part_at(count);
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) ++part_at[root[run.first + e]].springs;
   std::vector<Spectrum> spectrum_at(count, plan.spectrum);
   for (Spectrum& spectrum : spectrum_at) spectrum.omega = spectrum.dashpot_rate = 0.0;
@@ -63,13 +63,13 @@ std::vector<IslandPart> measure_parts(const Plan& plan, const System& system, co
 double work_of(double substeps, double points, double springs) { return substeps * (springs + 0.15 * points + 30.0); }
 
 void add_counts(const Motion& part, Motion& sum) {
-  sum.force_evaluations += part.force_evaluations;
-  sum.factorizations += part.factorizations;
-  sum.solves += part.solves;
-  sum.sweeps += part.sweeps;
-  sum.dashpot_sweeps += part.dashpot_sweeps;
-  sum.limit_sweeps += part.limit_sweeps;
-  sum.unconverged_solves += part.unconverged_solves;
+  sum.counts.force_evaluations += part.counts.force_evaluations;
+  sum.counts.factorizations += part.counts.factorizations;
+  sum.counts.solves += part.counts.solves;
+  sum.counts.sweeps += part.counts.sweeps;
+  sum.counts.dashpot_sweeps += part.counts.dashpot_sweeps;
+  sum.counts.limit_sweeps += part.counts.limit_sweeps;
+  sum.counts.unconverged_solves += part.counts.unconverged_solves;
   sum.crossings += part.crossings;
   sum.collider_work += part.collider_work;
   sum.break_work += part.break_work;
@@ -114,10 +114,10 @@ std::vector<int> find_island_groups(const Plan& plan, const System& system, cons
 }  // namespace
 
 bool IslandFrames::divide(const Plan& plan, const System& system, double frame_rate) {
-  const bool may_interact = plan.touches_itself() || plan.held || plan.pull || plan.grabbed_collider || !plan.forces.empty();
-  if (may_interact || !plan.break_length.empty() || plan.points < 2) return false;
+  const bool may_interact = plan.touches_itself() || plan.hand.held || plan.hand.pull || plan.collider_paths.grabbed || !plan.forces.empty();
+  if (may_interact || !plan.spring.break_length.empty() || plan.points < 2) return false;
   const bool has_same_structure =
-      plan.points == points_ && plan.dimensions == dimensions_ && plan.runs == runs_ && plan.point_index == point_index_;
+      plan.points == points_ && plan.dimensions == dimensions_ && plan.spring.runs == runs_ && plan.numbering.index == point_index_;
   if (has_same_structure && is_connected_) return false;
   const double rates = rates_of(plan);
   const bool has_same_field = plan.gravity == gravity_ && plan.drag == drag_ && frame_rate == frame_rate_;
@@ -128,8 +128,8 @@ bool IslandFrames::divide(const Plan& plan, const System& system, double frame_r
     is_connected_ = std::ranges::all_of(root_, [](Index first) { return first == 0; });
     points_ = plan.points;
     dimensions_ = plan.dimensions;
-    runs_ = plan.runs;
-    point_index_ = plan.point_index;
+    runs_ = plan.spring.runs;
+    point_index_ = plan.numbering.index;
   }
   rates_ = rates;
   gravity_ = plan.gravity;

@@ -14,7 +14,7 @@ namespace {
 void accelerate(const Plan& plan, Motion& motion) {
   compute_explicit_forces(plan, motion.time, motion.x, motion.v, motion.a);
   divide_by_mass(plan, motion.a);
-  ++motion.force_evaluations;
+  ++motion.counts.force_evaluations;
 }
 
 void step(const Plan& plan, Motion& motion, Workspace&, double h) {
@@ -47,11 +47,7 @@ constinit const Integrator leapfrog{
         "v' = E v + phi a(x', v)",
     .source = "R. W. Hockney, J. W. Eastwood, Computer Simulation Using Particles, 1981, section 4-4",
     .order = 2,
-    .order_drag = 2,
-    .order_damped = 1,
-    .order_contact = 2,
-    .order_friction = 1,
-    .order_force_terms = 2,
+    .order_with = {.drag = 2, .damped = 1, .contact = 2, .friction = 1, .force_terms = 2},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,

@@ -14,7 +14,7 @@ extern const Integrator leapfrog;
 const Integrator* find_chosen_method(std::string_view id);
 
 // Whether it differs from velocity_verlet, and no force but those of springs and dashpots depends on the velocities.
-inline bool is_leapfrog_useful(const Plan& plan) { return plan.has_dashpots() && !plan.forces_depend_on_velocity; }
+inline bool is_leapfrog_useful(const Plan& plan) { return plan.has_dashpots() && !plan.force_data.depend_on_velocity; }
 
 // Whether the method splits the dashpots off, in two sweeps per step.
 inline bool splits_dashpots(const Integrator& method) {

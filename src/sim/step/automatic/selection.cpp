@@ -150,7 +150,7 @@ double max_cost_of_frame(Trials& trials, const Plan& plan, const Settings& setti
   if (settings.budget_ms > 0.0) return std::max(settings.budget_ms, cheapest);
   const double min_with_contact = explicit_one > 0.0 ? max_cost_with_contact_ms : max_implicit_cost_with_contact_ms;
   // the strain limit, too, is imposed once per substep, and may dissipate a part of the energy in each
-  const bool is_of_first_order = plan.has_contact() || !plan.max_length.empty();
+  const bool is_of_first_order = plan.has_contact() || !plan.spring.max_length.empty();
   const double max_cost = is_of_first_order ? std::max({min_with_contact, max_cost_factor * cheapest, 4.0 * explicit_one})
                                             : std::max(max_cost_ms, max_cost_factor * cheapest);
   return std::min(max_cost, std::max(max_cost_ms, slow_cost_factor * cheapest));

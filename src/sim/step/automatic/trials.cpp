@@ -71,7 +71,7 @@ int stable_substeps(const Integrator& method, const Spectrum& spectrum, double f
 }
 
 int collider_substeps(const Plan& plan, double frame_rate) {
-  const double substeps = std::ceil(1.0 / (frame_rate * plan.resolving_step) * (1.0 - 1e-9));
+  const double substeps = std::ceil(1.0 / (frame_rate * plan.collider_paths.resolving_step) * (1.0 - 1e-9));
   return static_cast<int>(std::clamp(substeps, 1.0, max_automatic_substeps + 1.0));
 }
 
@@ -84,7 +84,7 @@ const std::vector<int>& Trials::stable_substeps(const Plan& plan, double frame_r
     spectrum_ = plan.spectrum;
     frame_rate_ = frame_rate;
   }
-  if (is_new || resolving_step_ != plan.resolving_step || frequency_ != frequency || is_beyond_resonance_ != beyond_resonance_) {
+  if (is_new || resolving_step_ != plan.collider_paths.resolving_step || frequency_ != frequency || is_beyond_resonance_ != beyond_resonance_) {
     stable_substeps_ = stable_for_any_;
     for (std::size_t row = 0; row < stable_substeps_.size(); ++row) {
       int& substeps = stable_substeps_[row];
@@ -95,7 +95,7 @@ const std::vector<int>& Trials::stable_substeps(const Plan& plan, double frame_r
     if (plan.spectrum.contact) free_from_contact(plan, stable_substeps_);
     const int resolving = collider_substeps(plan, frame_rate);
     for (int& substeps : stable_substeps_) substeps = std::max(substeps, resolving);
-    resolving_step_ = plan.resolving_step;
+    resolving_step_ = plan.collider_paths.resolving_step;
     frequency_ = frequency;
     is_beyond_resonance_ = beyond_resonance_;
   }
@@ -132,7 +132,7 @@ void Trials::forget(bool beyond_resonance) {
 
 // A frame that ends early has diverged.
 Trials::End Trials::compute(const Settings& settings, const CostModel& model, double max_cost, double* cost) {
-  if (!plan_.break_length.empty()) refresh_values(plan_, *system_);  // restores springs that broke in the previous trial
+  if (!plan_.spring.break_length.empty()) refresh_values(plan_, *system_);  // restores springs that broke in the previous trial
   const auto cost_so_far = [&] { return model.of(*settings.integrator, frame_.motion(), frame_.substeps_done()); };
   bool is_cheap = true;
   frame_.begin(plan_, *system_, settings, *start_);
@@ -230,8 +230,8 @@ Trials::Result Trials::measure_by_coarser(const Settings& settings, double max_c
 
 // Within a factor of 3.5 upwards and 2 downwards in nine of ten frames of nets and chains, and close to 1 where dashpots are strong.
 std::optional<double> Trials::embedded_error(const Integrator& method) const {
-  const bool is_usable = &method == &tr_bdf2 && !plan_.has_contact() && plan_.break_length.empty();
-  if (!is_usable || last_.method != &method || last_.frame.motion().unconverged_solves > 0) return std::nullopt;
+  const bool is_usable = &method == &tr_bdf2 && !plan_.has_contact() && plan_.spring.break_length.empty();
+  if (!is_usable || last_.method != &method || last_.frame.motion().counts.unconverged_solves > 0) return std::nullopt;
   return last_.frame.motion().local_error;
 }
 

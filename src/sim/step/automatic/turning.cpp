@@ -13,7 +13,7 @@ double turning_of(const Plan& plan, const State& state, double frame_cost) {
   const Index stride = std::max<Index>(1, static_cast<Index>(std::ceil(plan.springs / affordable)));
   double max = 0.0;  // of the square
   Index next = 0;    // of all springs
-  for (const SpringRun& run : plan.runs) {
+  for (const SpringRun& run : plan.spring.runs) {
     for (; next < run.begin + run.count; next += stride) {
       const Index e = next - run.begin;
       const Index first = plan.listed_index(run.first + e), second = plan.listed_index(run.second + e);
