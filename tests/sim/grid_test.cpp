@@ -123,8 +123,8 @@ Index springs_in_grids(const Plan& plan) {
 }
 
 TEST(Grids, AreMadeForLargeScenesOnly) {
-  EXPECT_TRUE(make_plan(make_net({.rows = 8, .columns = 8}).system).grids.empty());
-  EXPECT_EQ(make_plan(make_net({.rows = 10, .columns = 10}).system).grids.size(), 1u);
+  EXPECT_TRUE(make_plan(make_net({.rows = 8, .columns = 8}).system).spring.grids.empty());
+  EXPECT_EQ(make_plan(make_net({.rows = 10, .columns = 10}).system).spring.grids.size(), 1u);
 }
 
 TEST(Grids, AreFoundInNetsWithAllTheirSprings) {
@@ -170,8 +170,8 @@ TEST(Grids, DoNotDependOnTheOrderOfTheSprings) {
 }
 
 TEST(Grids, StoreASingleRowOfNumbersIfAllRowsAreEqual) {
-  const Grid uniform = make_plan_with_grids(make_net({.rows = 6, .columns = 9, .uniform = true}).system).grids.at(0);
-  const Grid varied = make_plan_with_grids(make_net({.rows = 6, .columns = 9}).system).grids.at(0);
+  const Grid uniform = make_plan_with_grids(make_net({.rows = 6, .columns = 9, .uniform = true}).system).spring.grids.at(0);
+  const Grid varied = make_plan_with_grids(make_net({.rows = 6, .columns = 9}).system).spring.grids.at(0);
   for (std::size_t direction = 0; direction < Grid::directions; ++direction) {
     EXPECT_EQ(uniform.stiffness[direction].number.size(), 16u);
     EXPECT_EQ(varied.stiffness[direction].number.size(), direction == Grid::Right ? 96u : 80u);

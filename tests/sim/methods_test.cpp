@@ -1,6 +1,7 @@
 // Every method of the table against its declared properties and its strengths.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
@@ -26,7 +27,8 @@ class Method : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Method, testing::ValuesIn(every_method()), method_name);
 
 // One mass attached to a nail, x'' = -w^2 x - lambda x' - c x', after `count` steps from (x, h v) = start: the same two numbers.
-std::array<double, 2> stepped(const Integrator& row, const Oscillator& oscillator, double h, const std::array<double, 2>& start, int count) {
+std::array<double, 2> stepped(const Integrator& row, const Oscillator& oscillator, double h, const std::array<double, 2>& start,
+                              int count) {
   const double s = 0.01;
   TestSim sim;
   sim.system.dimensions = 2;

@@ -209,7 +209,9 @@ TEST_P(Row, MeetsItsOrderWhereItLeavesAFloor) {
   EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_floor), method().order_with.contact, 0.2);
 }
 
-TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) { EXPECT_NEAR(order_after_impact(method(), falling_pair), method().order_with.contact, 0.2); }
+TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) {
+  EXPECT_NEAR(order_after_impact(method(), falling_pair), method().order_with.contact, 0.2);
+}
 
 // The largest modulus of the eigenvalues of one step, which is the growth factor of a mode: of the roots of a cubic by simultaneous
 // iteration (K. Weierstrass, E. Durand, I. O. Kerner).

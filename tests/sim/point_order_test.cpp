@@ -70,7 +70,8 @@ double part_in_grids(const Plan& plan) {
 }
 
 bool is_permutation_of_points(const Plan& plan) {
-  if (plan.numbering.index.size() != static_cast<std::size_t>(plan.points) || plan.numbering.number.size() != plan.numbering.index.size()) return false;
+  if (plan.numbering.index.size() != static_cast<std::size_t>(plan.points) || plan.numbering.number.size() != plan.numbering.index.size())
+    return false;
   for (Index i = 0; i < plan.points; ++i)
     if (plan.number_of(plan.listed_index(i)) != i) return false;
   return true;
@@ -83,7 +84,8 @@ TEST(PointOrder, MakesOneGridOfAShuffledNet) {
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
           const NetOfCells net{.rows = rows, .columns = columns, .diagonals = diagonals, .has_families = families};
           const Plan plan = make_plan(shuffled(make_net_of_cells(net), seed).system);
-          ASSERT_EQ(plan.spring.grids.size(), 1u) << rows << " x " << columns << ", diagonals " << static_cast<int>(diagonals) << ", " << seed;
+          ASSERT_EQ(plan.spring.grids.size(), 1u)
+              << rows << " x " << columns << ", diagonals " << static_cast<int>(diagonals) << ", " << seed;
           EXPECT_TRUE(is_permutation_of_points(plan));
           EXPECT_EQ(plan.spring.grids[0].columns, std::max(rows, columns));
           EXPECT_EQ(plan.spring.grids[0].rows, std::min(rows, columns));

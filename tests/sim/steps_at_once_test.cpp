@@ -22,7 +22,8 @@ State run(const TestSim& sim, const Integrator& method, int frames, int per_fram
   Plan plan = make_plan(sim.system);
   Frame frame;
   for (int i = 0; i < frames; ++i) {
-    frame.begin(plan, sim.system, {.integrator = &method, .frame_rate = static_cast<double>(frames) / frame_time, .substeps = per_frame}, state);
+    frame.begin(plan, sim.system, {.integrator = &method, .frame_rate = static_cast<double>(frames) / frame_time, .substeps = per_frame},
+                state);
     while (!frame.done()) frame.substep(plan);
     frame.end(plan, state);
   }

@@ -113,7 +113,6 @@ TEST(DashpotSweep, EqualsAPlainLoopBitForBitOnEveryVectorTarget) {
         EXPECT_EQ(swept.velocities_after(sweep), plain_velocities_after(swept, sweep))
             << hwy::TargetName(target) << ", " << swept.plan.points << " points, " << swept.plan.springs << " springs, "
             << (sweep == SweepDirection::Forward ? "forward" : "backward");
-
     }
   }
   hwy::SetSupportedTargetsForTest(0);

@@ -61,14 +61,10 @@ double compute_external_forces_with_power(const Plan& plan, double time, const F
   return add_force_terms_with_power(plan, time, x, v, f);
 }
 
-void add_inner_forces(const Plan& plan, double time, const Field& x, const Field* v, Field& f) {
-  add_spring_forces(plan, x.data(), v != nullptr ? v->data() : nullptr, f.data());
-  if (plan.hand.pull) add_pull(plan, time, x, f);
-}
-
 void compute_unlisted_forces(const Plan& plan, double time, const Field& x, const Field* v, Field& f) {
   set_gravity(plan, f);
-  add_inner_forces(plan, time, x, v, f);
+  add_spring_forces(plan, x.data(), v != nullptr ? v->data() : nullptr, f.data());
+  if (plan.hand.pull) add_pull(plan, time, x, f);
 }
 
 void compute_position_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {

@@ -10,12 +10,9 @@ namespace hooke {
 // drag * wind, is included. Only listed forces depend on the velocities.
 void compute_position_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
-// f [N] of gravity, drag * wind, springs, their dashpots at the velocities v unless it is null, and the hand's pull: everything but drag and
-// the listed forces.
+// f [N] of gravity, drag * wind, springs, their dashpots at the velocities v unless it is null, and the hand's pull: everything but drag
+// and the listed forces.
 void compute_unlisted_forces(const Plan& plan, double time, const Field& x, const Field* v, Field& f);
-
-// Adds the forces of springs, of their dashpots at the velocities v unless it is null, and of the hand's pull.
-void add_inner_forces(const Plan& plan, double time, const Field& x, const Field* v, Field& f);
 
 // f [N] of gravity, drag * wind and the listed forces: external to the network, for methods that treat springs and the hand's
 // pull as constraints.

@@ -64,8 +64,9 @@ HWY_INLINE void advance_columns(const LeapfrogPass<T>& pass, const Columns& colu
 
 template <int Dimensions, bool Damped, class T>
 void advance(const GridView<T>& grid, const GridBand<T>& band, const LeapfrogPass<T>& pass) {
-  compute_band<Dimensions, Damped>(grid, band, pass.x, pass.u, [&](const auto& columns, Index i, const auto* force)
-                                       HWY_ATTR { advance_columns<Dimensions, false>(pass, columns, i, force); });
+  compute_band<Dimensions, Damped>(grid, band, pass.x, pass.u, [&](const auto& columns, Index i, const auto* force) HWY_ATTR {
+    advance_columns<Dimensions, false>(pass, columns, i, force);
+  });
 }
 
 template <int Dimensions, bool Known, class T>
@@ -155,8 +156,7 @@ void advance_all(const Plan& plan, const Grids& grids, const LeapfrogPass<T>& pa
   };
   for (const GridView<T>& grid : grids) {
     advance_until(grid.first);
-    for_bands(plan, grid, count, in_place, pass.x, pass.u,
-              [&](int, int, const GridBand<T>& band) { advance_band(grid, band, pass); });
+    for_bands(plan, grid, count, in_place, pass.x, pass.u, [&](int, int, const GridBand<T>& band) { advance_band(grid, band, pass); });
     next = grid.first + grid.rows * grid.columns;
   }
   advance_until(plan.points);
@@ -184,20 +184,25 @@ void advance(const Plan& plan, const LeapfrogPass<double>& pass, int count) {
   const auto views = std::views::transform(plan.spring.grids, [&](const Grid& grid) { return view_of(plan, grid); });
   advance_all(
       plan, views, pass, count,
-      [](const auto& view, const auto& band, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_band)(view, band, each); },
-      [](Index first, Index end, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_part)(first, end, each); });
+      [](const auto& view, const auto& band, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_band)
+                                                                 (view, band, each); },
+      [](Index first, Index end, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_part)
+                                                     (first, end, each); });
 }
 
 void advance(const Plan& plan, std::span<const GridView<float>> grids, const LeapfrogPass<float>& pass, int count) {
   advance_all(
       plan, grids, pass, count,
-      [](const auto& view, const auto& band, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_single_band)(view, band, each); },
-      [](Index first, Index end, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_single_part)(first, end, each); });
+      [](const auto& view, const auto& band, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_single_band)
+                                                                 (view, band, each); },
+      [](Index first, Index end, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_single_part)
+                                                     (first, end, each); });
 }
 
 void advance_with_known(const Plan& plan, const LeapfrogPass<double>& pass) {
-  for_parts(plan, plan.points, min_points_of_part,
-            [&](int, Index first, Index end) { HWY_DYNAMIC_DISPATCH(advance_known_part)(first, end, pass); });
+  for_parts(plan, plan.points, min_points_of_part, [&](int, Index first, Index end) {
+    HWY_DYNAMIC_DISPATCH(advance_known_part)(first, end, pass);
+  });
 }
 
 }  // namespace hooke

@@ -40,7 +40,8 @@ double energy_of_hand_alone(const Plan& plan, const Motion& motion) {
   if (!plan.hand.held) return energy;
   for (const auto& [s, other] : plan.hand.held_springs) {
     if (plan.inverse_mass[other] != 0.0) continue;
-    const double stretch = glm::distance(vector_at(plan, motion.x, *plan.hand.held), vector_at(plan, motion.x, other)) - plan.spring.rest_length[s];
+    const double stretch =
+        glm::distance(vector_at(plan, motion.x, *plan.hand.held), vector_at(plan, motion.x, other)) - plan.spring.rest_length[s];
     energy += 0.5 * plan.spring.stiffness[s] * stretch * stretch;
   }
   return energy;
@@ -53,7 +54,8 @@ double hand_power(const Plan& plan, const Motion& motion) {
   for (const auto& [s, other] : plan.hand.held_springs) {
     const Vec3 along = vector_at(plan, motion.x, *plan.hand.held) - vector_at(plan, motion.x, other);
     const double length = glm::length(along);
-    if (plan.inverse_mass[other] == 0.0 && length > 0.0) force -= plan.spring.stiffness[s] * (length - plan.spring.rest_length[s]) / length * along;
+    if (plan.inverse_mass[other] == 0.0 && length > 0.0)
+      force -= plan.spring.stiffness[s] * (length - plan.spring.rest_length[s]) / length * along;
   }
   return glm::dot(force, vector_at(plan, motion.v, *plan.hand.held));
 }

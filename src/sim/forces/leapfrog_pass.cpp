@@ -50,8 +50,7 @@ void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift,
   advance_with_known(plan, pass);
 }
 
-void accelerate_kick_and_drift(const Plan& plan, double time, Motion& motion, double kick, double drift,
-                               const PassVelocities& velocities) {
+void accelerate_kick_and_drift(const Plan& plan, double time, Motion& motion, double kick, double drift, const PassVelocities& velocities) {
   ++motion.counts.force_evaluations;
   if (plan.force_data.sticky.strength > 0.0) {
     accelerate_with_balancing_forces(plan, time, motion, velocities);

@@ -38,7 +38,8 @@ struct Motion {
   Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
   // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
   bool acceleration_is_current = false;
-  // [W], of the listed forces at the end of the method's last step, but for what follows from potentials; none: the method does not know it.
+  // [W], of the listed forces at the end of the method's last step, but for what follows from potentials; none: the method does not know
+  // it.
   std::optional<double> power;
   MethodMemory memory;
   WorkCounts counts;
@@ -71,8 +72,9 @@ class Structure {
         enclosure_edges_(plan.force_data.enclosures.edges) {}
   virtual ~Structure() = default;
   bool fits(const Plan& plan) const {
-    return plan.points == points_ && plan.dimensions == dimensions_ && plan.spring.runs == runs_ && plan.force_data.hinges.begin == hinge_begin_ &&
-           plan.force_data.hinges.column == hinge_column_ && plan.force_data.enclosures.edges == enclosure_edges_;
+    return plan.points == points_ && plan.dimensions == dimensions_ && plan.spring.runs == runs_ &&
+           plan.force_data.hinges.begin == hinge_begin_ && plan.force_data.hinges.column == hinge_column_ &&
+           plan.force_data.enclosures.edges == enclosure_edges_;
   }
 
  private:

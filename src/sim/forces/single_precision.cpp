@@ -70,13 +70,13 @@ void SinglePrecision::advance(const Plan& plan, const LeapfrogPass<double>& pass
   views_.resize(plan.spring.grids.size());
   for (std::size_t g = 0; g < plan.spring.grids.size(); ++g) views_[g] = view_of(plan.spring.grids[g], numbers_[g]);
   LeapfrogPass<float> single{.dimensions = plan.dimensions,
-                          .stride = pitch_,
-                          .inverse_mass = inverse_mass_.data(),
-                          .x = x_.data(),
-                          .drifted = x_.data(),
-                          .v = v_.data(),
-                          .kick = {static_cast<float>(pass.kick.decay), static_cast<float>(pass.kick.weight)},
-                          .drift = static_cast<float>(pass.drift)};
+                             .stride = pitch_,
+                             .inverse_mass = inverse_mass_.data(),
+                             .x = x_.data(),
+                             .drifted = x_.data(),
+                             .v = v_.data(),
+                             .kick = {static_cast<float>(pass.kick.decay), static_cast<float>(pass.kick.weight)},
+                             .drift = static_cast<float>(pass.drift)};
   for (int c = 0; c < plan.dimensions; ++c) single.acceleration[c] = static_cast<float>(pass.acceleration[c]);
   hooke::advance(plan, views_, single, steps);
   store(plan, motion);

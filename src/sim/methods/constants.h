@@ -24,8 +24,8 @@ inline constexpr double max_angle_in_contact = 3.0, max_angle_of_touching_points
 // implicit_midpoint gains energy in some from 1.3, the L-stable methods from 3.2.
 inline constexpr double max_omitted_angle = 1.0;
 
-// Of dop853 (E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.4 and the code DOP853): bounds on the
-// change of the step, the exponent of the error before, the safety factor and the least error that counts, all [1].
+// Of dop853 (E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.4 and the code DOP853): bounds on
+// the change of the step, the exponent of the error before, the safety factor and the least error that counts, all [1].
 inline constexpr double min_step_factor = 1.0 / 3.0, max_step_factor = 6.0, step_beta = 0.04, step_safety = 0.9, min_step_error = 1e-4;
 // [1], relative to the coordinates, of rounding in the error of methods that adapt their step.
 inline constexpr double error_round_off = 1e-14;

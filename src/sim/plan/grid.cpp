@@ -162,8 +162,7 @@ std::vector<Grid> find_grids(std::span<const SpringRun> runs, Index points, std:
   return grids;
 }
 
-void set_values(const Grid& grid, std::span<const double> per_spring, bool each_row,
-                std::array<Grid::Values, Grid::directions>& values) {
+void set_values(const Grid& grid, std::span<const double> per_spring, bool each_row, std::array<Grid::Values, Grid::directions>& values) {
   const auto pitch = static_cast<std::size_t>(grid.pitch());
   for (std::size_t direction = 0; direction < Grid::directions; ++direction) {
     const std::vector<Index>& spring = grid.spring[direction];

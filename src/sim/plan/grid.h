@@ -52,7 +52,6 @@ std::vector<Grid> find_grids(std::span<const SpringRun> runs, Index points, std:
 
 // Copies the number of each packed spring to the cells; 0 where there is no spring. With `each_row` every row is stored, even if
 // all are the same, so that doing it again allocates nothing.
-void set_values(const Grid& grid, std::span<const double> per_spring, bool each_row,
-                std::array<Grid::Values, Grid::directions>& values);
+void set_values(const Grid& grid, std::span<const double> per_spring, bool each_row, std::array<Grid::Values, Grid::directions>& values);
 
 }  // namespace hooke

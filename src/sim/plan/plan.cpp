@@ -123,7 +123,8 @@ void set_held_point(Plan& plan, const System& system, std::optional<Index> numbe
   plan.hand.held_mass = held_point().nailed ? 0.0 : held_point().mass;
   for (const SpringRun& run : plan.spring.runs)
     for (const auto& [held_end, other_end] : {std::pair{run.first, run.second}, std::pair{run.second, run.first}})
-      if (const Index e = *plan.hand.held - held_end; e >= 0 && e < run.count) plan.hand.held_springs.push_back({run.begin + e, other_end + e});
+      if (const Index e = *plan.hand.held - held_end; e >= 0 && e < run.count)
+        plan.hand.held_springs.push_back({run.begin + e, other_end + e});
 }
 
 // Contribution of the pull to the rows of the free points: K_ij = k w_i w_j I, w the weights.
@@ -213,7 +214,8 @@ void refresh_values(Plan& plan, const System& system) {
     set_held_point(plan, system, std::nullopt);
   if (system.grab && system.grab->kind == GrabKind::Pull) {
     plan.hand.pull = plan_pull(system, *system.grab);
-    for (int part = 0; part < plan.hand.pull->count; ++part) plan.hand.pull->parts[part].point = plan.number_of(plan.hand.pull->parts[part].point);
+    for (int part = 0; part < plan.hand.pull->count; ++part)
+      plan.hand.pull->parts[part].point = plan.number_of(plan.hand.pull->parts[part].point);
   }
 
   plan.spring.stiffness.resize(plan.springs);

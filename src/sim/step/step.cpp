@@ -151,7 +151,8 @@ namespace {
 
 // Whether nothing acts between two substeps or depends on the time.
 bool acts_between_substeps(const Plan& plan) {
-  return plan.hand.held || plan.hand.pull || plan.has_contact() || !plan.forces.empty() || !plan.spring.break_length.empty() || !plan.spring.max_length.empty();
+  return plan.hand.held || plan.hand.pull || plan.has_contact() || !plan.forces.empty() || !plan.spring.break_length.empty() ||
+         !plan.spring.max_length.empty();
 }
 
 }  // namespace

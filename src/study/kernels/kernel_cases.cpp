@@ -83,10 +83,8 @@ constexpr std::array rows{
                .rate = 1.125,
                .settle = 1.0,
                .max_size = 64},
-    KernelCase{.name = "dashpots",
-               .description = "with dashpots",
-               .generator = R"(, "damping": 0.001)",
-               .method = "velocity_verlet_explicit"},
+    KernelCase{
+        .name = "dashpots", .description = "with dashpots", .generator = R"(, "damping": 0.001)", .method = "velocity_verlet_explicit"},
     KernelCase{.name = "dashpots in sweeps", .description = "with dashpots split off", .generator = R"(, "damping": 0.001)"},
     KernelCase{.name = "wind",
                .description = "with wind on its faces",

@@ -1,5 +1,5 @@
-// The sweeps of dashpot.h over all springs. Large nets are swept from the middle to both sides and back, on two threads if there are any; to
-// the same bits for any number of them.
+// The sweeps of dashpot.h over all springs. Large nets are swept from the middle to both sides and back, on two threads if there are any;
+// to the same bits for any number of them.
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
 // Gas in closed surfaces (enclosures.h). With r = V / V0, V the volume and V0 the full one, and the excess pressure P = p0 e^(-leak t),
 //   p = (P + a) r^-n - a,   f = p dV/dx,   potential U = -(P + a) V0 g(r) + a V0 (r - 1),   g = integral from 1 to r of s^-n ds.
 // a is the ambient pressure, and n the polytropic exponent: 0 for a constant pressure, 1 for an isothermal gas, 1.4 for adiabatic air. A
-// leak lets out gas until the surface is full at the ambient pressure. Below r = min_volume_ratio, the pressure does not increase further, so that
-// a surface of no volume feels a finite force. V is the magnitude of the volume: a surface that has been turned inside out is filled
-// likewise, and the orientation of the faces in the file does not matter.
+// leak lets out gas until the surface is full at the ambient pressure. Below r = min_volume_ratio, the pressure does not increase further,
+// so that a surface of no volume feels a finite force. V is the magnitude of the volume: a surface that has been turned inside out is
+// filled likewise, and the orientation of the faces in the file does not matter.
 //
 // As the gradient of a function of the shape alone, the forces have no sum and no torque. Their derivative is
 //   df/dx = p d2V/dx2 + p' dV/dx dV/dx^T:

@@ -28,7 +28,8 @@ ForceBound bound(const System&, const Plan&, const ForceValues&, double) { retur
 
 void prepare(const System& system, Plan& plan) {
   for (const Force& force : system.forces)
-    if (force.on && force.term == &sticky_force) plan.force_data.sticky.strength = std::max(plan.force_data.sticky.strength, force.values[0]);
+    if (force.on && force.term == &sticky_force)
+      plan.force_data.sticky.strength = std::max(plan.force_data.sticky.strength, force.values[0]);
 }
 
 }  // namespace

@@ -208,7 +208,8 @@ void StiffnessMatrix::assemble(const Plan& plan, double b, const Field& x, const
     Update& update = updates_.front();
     update.weight = b * b * plan.hand.pull->stiffness;
     update.parts.clear();
-    for (const auto& [point, weight] : plan.hand.pull->points()) update.parts.push_back({point, plan.inverse_mass[point] == 0.0 ? 0.0 : weight});
+    for (const auto& [point, weight] : plan.hand.pull->points())
+      update.parts.push_back({point, plan.inverse_mass[point] == 0.0 ? 0.0 : weight});
   }
   if (has_forces_) {
     Update& update = updates_.back();

@@ -53,11 +53,12 @@ double CostModel::evaluation(const Integrator& method) const {
 double CostModel::of(const Integrator& method, const Motion& motion, int substeps) const {
   const bool is_implicit = method.implicit_solve != ImplicitSolve::None;
   const double evaluations = is_implicit ? 0.0 : evaluation(method) * static_cast<double>(motion.counts.force_evaluations);
-  const double contact =
-      contact_test * static_cast<double>(motion.counts.contact_tests) + contact_impulse * static_cast<double>(motion.counts.contact_impulses);
-  return ms_per_ns * (evaluations + (contact_ + substep_) * substeps + contact + sweep_ * static_cast<double>(motion.counts.sweeps) +
-                      limit_sweep_ * static_cast<double>(motion.counts.limit_sweeps) + dashpots_ * static_cast<double>(motion.counts.dashpot_sweeps) +
-                      factorization_ * static_cast<double>(motion.counts.factorizations) + solve_ * static_cast<double>(motion.counts.solves));
+  const double contact = contact_test * static_cast<double>(motion.counts.contact_tests) +
+                         contact_impulse * static_cast<double>(motion.counts.contact_impulses);
+  return ms_per_ns *
+         (evaluations + (contact_ + substep_) * substeps + contact + sweep_ * static_cast<double>(motion.counts.sweeps) +
+          limit_sweep_ * static_cast<double>(motion.counts.limit_sweeps) + dashpots_ * static_cast<double>(motion.counts.dashpot_sweeps) +
+          factorization_ * static_cast<double>(motion.counts.factorizations) + solve_ * static_cast<double>(motion.counts.solves));
 }
 
 double CostModel::expected(const Integrator& method, int substeps) const {

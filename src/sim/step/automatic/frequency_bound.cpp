@@ -52,7 +52,8 @@ double FrequencyBound::cost(const Plan& plan) {
 
 double FrequencyBound::relative(const Plan& plan, const State& state, double duration) {
   const Spectrum& bounds = plan.spectrum;
-  if (plan.springs == 0 || !plan.forces.empty() || plan.hand.pull || plan.has_contact() || !plan.spring.max_length.empty() || bounds.omega <= 0.0)
+  if (plan.springs == 0 || !plan.forces.empty() || plan.hand.pull || plan.has_contact() || !plan.spring.max_length.empty() ||
+      bounds.omega <= 0.0)
     return 1.0;
   find_neighbors(plan);
 

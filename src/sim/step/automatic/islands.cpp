@@ -114,7 +114,8 @@ std::vector<int> find_island_groups(const Plan& plan, const System& system, cons
 }  // namespace
 
 bool IslandFrames::divide(const Plan& plan, const System& system, double frame_rate) {
-  const bool may_interact = plan.touches_itself() || plan.hand.held || plan.hand.pull || plan.collider_paths.grabbed || !plan.forces.empty();
+  const bool may_interact =
+      plan.touches_itself() || plan.hand.held || plan.hand.pull || plan.collider_paths.grabbed || !plan.forces.empty();
   if (may_interact || !plan.spring.break_length.empty() || plan.points < 2) return false;
   const bool has_same_structure =
       plan.points == points_ && plan.dimensions == dimensions_ && plan.spring.runs == runs_ && plan.numbering.index == point_index_;

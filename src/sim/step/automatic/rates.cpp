@@ -12,8 +12,8 @@ double rates_of(const Plan& plan) {
   const auto add_vector = [&](const Vec3& value) { add(value.x), add(value.y), add(value.z); };
   const Spectrum& s = plan.spectrum;
   for (const double value : {s.omega, s.dashpot_rate, s.force_omega, s.force_rate, s.drag_rate}) add(value);
-  for (const auto* values : {&plan.mass, &plan.inverse_mass, &plan.radius, &plan.spring.stiffness, &plan.spring.rest_length, &plan.spring.damping,
-                             &plan.spring.max_length, &plan.spring.break_length})
+  for (const auto* values : {&plan.mass, &plan.inverse_mass, &plan.radius, &plan.spring.stiffness, &plan.spring.rest_length,
+                             &plan.spring.damping, &plan.spring.max_length, &plan.spring.break_length})
     for (const double value : *values) add(value);
   for (const Force& force : plan.forces)
     for (const double value : force.values) add(value);

@@ -18,8 +18,8 @@ constexpr double max_relative_speed = 2e-3;
 }  // namespace
 
 bool may_step_beyond_resonance(const Plan& plan, double target, double speed) {
-  const bool has_only_springs = plan.forces.empty() && !plan.hand.held && !plan.hand.pull && !plan.has_contact() && plan.spring.max_length.empty() &&
-                                plan.spring.break_length.empty() && !plan.has_dashpots();
+  const bool has_only_springs = plan.forces.empty() && !plan.hand.held && !plan.hand.pull && !plan.has_contact() &&
+                                plan.spring.max_length.empty() && plan.spring.break_length.empty() && !plan.has_dashpots();
   return has_only_springs && plan.spectrum.omega * target <= max_relative_speed * speed;
 }
 

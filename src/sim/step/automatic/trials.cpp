@@ -84,7 +84,8 @@ const std::vector<int>& Trials::stable_substeps(const Plan& plan, double frame_r
     spectrum_ = plan.spectrum;
     frame_rate_ = frame_rate;
   }
-  if (is_new || resolving_step_ != plan.collider_paths.resolving_step || frequency_ != frequency || is_beyond_resonance_ != beyond_resonance_) {
+  if (is_new || resolving_step_ != plan.collider_paths.resolving_step || frequency_ != frequency ||
+      is_beyond_resonance_ != beyond_resonance_) {
     stable_substeps_ = stable_for_any_;
     for (std::size_t row = 0; row < stable_substeps_.size(); ++row) {
       int& substeps = stable_substeps_[row];
