@@ -26,9 +26,10 @@ TEST(Integrators, AreTheConstantsOfTheirFiles) {
 class Method : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Method, testing::ValuesIn(every_method()), method_name);
 
-// One mass attached to a nail, x'' = -w^2 x - lambda x' - c x', after `count` steps from (x, h v) = start: the same two numbers.
-std::array<double, 2> stepped(const Integrator& row, const Oscillator& oscillator, double h, const std::array<double, 2>& start,
-                              int count) {
+// One mass attached to a nail by a spring of this rest length, x'' = -w^2 x - lambda x' - c x', after `count` steps from (x, h v) = start:
+// the same two numbers.
+std::array<double, 2> stepped(const Integrator& row, const Oscillator& oscillator, double h, const std::array<double, 2>& start, int count,
+                              double rest_length = 0.5) {
   const double s = 0.01;
   TestSim sim;
   sim.system.dimensions = 2;
@@ -38,7 +39,8 @@ std::array<double, 2> stepped(const Integrator& row, const Oscillator& oscillato
   if (oscillator.h_rate > 0.0)
     sim.system.forces = {{.term = &mass_center_force, .values = {0.0, 0.0, 0.0, 0.0, oscillator.h_rate / h * 3.0 * 3.0 / 2.0}}};
   const PointId point = sim.add({s * start[0], 0.0, 0.0}, 2.0, {s * start[1] / h, 0.0, 0.0});
-  sim.join(point, sim.nail({-0.5, 0.0, 0.0}), 2.0 * oscillator.h_omega_squared / (h * h), 0.5, 2.0 * oscillator.h_lambda / h);
+  sim.join(point, sim.nail({-rest_length, 0.0, 0.0}), 2.0 * oscillator.h_omega_squared / (h * h), rest_length,
+           2.0 * oscillator.h_lambda / h);
   sim.run(row, h * count, count);
   return {sim.position(point).x / s, h * sim.velocity(point).x / s};
 }
@@ -58,7 +60,7 @@ void expect_closed_form(const Integrator& row, const Oscillator& oscillator, dou
   for (const std::array<double, 2>& start : {std::array{1.0, 0.0}, {0.0, 1.0}})
     for (const int first : {1, 2}) {
       std::array<double, 4> x{};
-      for (int k = 0; k < 4; ++k) x[k] = stepped(row, oscillator, h, start, first + k)[0];
+      for (int k = 0; k < 4; ++k) x[k] = stepped(row, oscillator, h, start, first + k, 0.0)[0];
       const double size = 1.0 + std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);
       EXPECT_NEAR(x[3], closed.trace * x[2] - closed.determinant * x[1] + closed.third * x[0], 20.0 * tolerance * size);
     }

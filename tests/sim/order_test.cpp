@@ -266,7 +266,9 @@ TEST_P(Row, IsStableUpToItsLimitAndNotBeyond) {
       for (double h = beyond; h < 1.02 * std::max(limit, 1e-3); h *= 1.0001)
         if (growth_at(h) > growth_at(beyond)) beyond = h;
       const int count = std::min(20000, static_cast<int>(std::log(1e6) / std::log(growth_at(beyond))) + 1);
-      EXPECT_GT(growth_after(method(), omega, lambda, drag, beyond, count), 0.01 * std::pow(growth_at(beyond), count)) << count << " steps";
+      // the start contains less of a mode of which the acceleration of the step before is a part
+      const double part = method().amplification({.h_lambda = 1.0}).third == 0.0 ? 0.01 : 1e-4;
+      EXPECT_GT(growth_after(method(), omega, lambda, drag, beyond, count), part * std::pow(growth_at(beyond), count)) << count << " steps";
     }
 }
 

@@ -11,7 +11,7 @@ std::optional<std::string> pressure_warning(const System& system) {
   const auto presses = [](const Force& force) { return force.on && force.term == &pressure_force; };
   if (std::ranges::none_of(system.forces, presses)) return std::nullopt;
   const EnclosurePlan plan = plan_enclosures(system);
-  const std::size_t closed = plan.force_data.enclosures.size(), all = closed + static_cast<std::size_t>(plan.open);
+  const std::size_t closed = plan.enclosures.size(), all = closed + static_cast<std::size_t>(plan.open);
   const bool is_flat = system.dimensions == 2;
   const std::string surfaces = is_flat ? "closed lines of springs" : "closed surfaces of faces";
   if (all == 0) return "forces: pressure: fills " + surfaces + " only: this scene has none";

@@ -19,7 +19,7 @@ struct BrokenSpring {
 };
 
 // What was done since the start of the frame.
-struct WorkCounts {
+struct StepCounts {
   long force_evaluations = 0;
   long factorizations = 0;
   long solves = 0;              // linear systems solved with a factorization
@@ -42,7 +42,7 @@ struct Motion {
   // it.
   std::optional<double> power;
   MethodMemory memory;
-  WorkCounts counts;
+  StepCounts counts;
   // at the start of the frame: edges that pass through faces, in flat scenes springs through each other, of those that contact keeps apart
   long crossings = 0;
   // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
