@@ -66,11 +66,11 @@ void SurfaceStep::repeat_last_kick(const Plan& plan, double h, Motion& motion) {
     acceleration.resize(x.size());
     compute_position_forces(plan, motion.time, x, motion.v, acceleration);
     divide_by_mass(plan, acceleration);
-    ++motion.force_evaluations;
+    ++motion.counts.force_evaluations;
   };
   // those of the method contain no dashpots if it sweeps over them
-  const bool are_known = motion.acceleration_is_current && plan.forces.empty() && plan.max_length.empty() &&
-                         (!plan.has_dashpots() || motion.dashpot_sweeps > 0);
+  const bool are_known = motion.acceleration_is_current && plan.forces.empty() && plan.spring.max_length.empty() &&
+                         (!plan.has_dashpots() || motion.counts.dashpot_sweeps > 0);
   if (!are_known) accelerate(all_free_end_, free_acceleration_);
   const Field& free_acceleration = are_known ? motion.a : free_acceleration_;
   accelerate(all_end_, kick_);
@@ -160,11 +160,11 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
 // the other points of a feature take of them.
 SuppliedWork SurfaceStep::supplied_work(const Plan& plan, const Motion& motion) const {
   SuppliedWork supplied;
-  if (plan.held) {
+  if (plan.hand.held) {
     double impulses = held_impulse_;
     for (const SurfaceContact& contact : contacts_.surface)
       for (int c = 0; c < 4; ++c)
-        if (plan.surface.points[contact.points[c]] == plan.held)
+        if (plan.surface.points[contact.points[c]] == plan.hand.held)
           impulses += std::abs(contact.weight[c]) * (contact.pressing + contact.separating + contact.impulse.normal) *
                       (1.0 + plan.surface.friction);
     supplied.by_hand = impulses * held_speed(plan, motion);
@@ -222,7 +222,7 @@ void SurfaceStep::transmit_through_dashpots(const Plan& plan, std::span<const Ob
   };
   Field& v = all_free_velocity_;
   for (int round = 0; round < transmissions; ++round) {
-    decay_dashpots(plan, plan.runs, decay_, SweepDirection::Backward, motion.x, change_);
+    decay_dashpots(plan, plan.spring.runs, decay_, SweepDirection::Backward, motion.x, change_);
     for_components(plan, [&](std::size_t i, Index point) { v[i] = plan.inverse_mass[point] != 0.0 ? v[i] + change_[i] : motion.v[i]; });
     change_ = v;
     dashpot_work += change_of_energy(v);
@@ -246,7 +246,7 @@ void SurfaceStep::transmit_through_dashpots(const Plan& plan, std::span<const Ob
   for_components(plan, [&](std::size_t i, Index point) { impulses += plan.mass[point] * std::abs(v[i] - motion.v[i]); });
   motion.v = v;
   motion.dashpot_work += dashpot_work;
-  if (plan.colliders_move)
+  if (plan.collider_paths.any_moves)
     for (const Obstacle& obstacle : obstacles) speed = std::max(speed, max_surface_speed(obstacle, anchor_of(*obstacle.collider), h));
   book_contact_work(work, {.by_hand = impulses * held_speed(plan, motion), .by_colliders = impulses * speed}, motion);
 }

@@ -50,8 +50,8 @@ bool SurfaceStep::resolve(const Plan& plan, std::span<const Obstacle> obstacles,
   note_collisions(plan, obstacles, h, motion);
   const bool touches = correct(plan, obstacles, near, x0, v0, h, motion);
   if (transmits(plan)) transmit_through_dashpots(plan, obstacles, x0, touches, h, motion);
-  motion.contact_tests += search_.tests() + distances_;
-  motion.contact_impulses += contacts_.impulses;
+  motion.counts.contact_tests += search_.tests() + distances_;
+  motion.counts.contact_impulses += contacts_.impulses;
   return touches;
 }
 
@@ -102,8 +102,8 @@ void SurfaceStep::start_frame(const Plan& plan) {
   for (std::size_t k = 0; k < n; ++k) inverse_mass_[k] = plan.inverse_mass[plan.surface.points[k]];
   local_.assign(plan.points, no_index);
   for (std::size_t k = 0; k < n; ++k) local_[plan.surface.points[k]] = static_cast<Index>(k);
-  const auto held = plan.held ? std::ranges::lower_bound(plan.surface.points, *plan.held) : plan.surface.points.end();
-  held_ = held != plan.surface.points.end() && *held == *plan.held ? static_cast<Index>(held - plan.surface.points.begin()) : no_index;
+  const auto held = plan.hand.held ? std::ranges::lower_bound(plan.surface.points, *plan.hand.held) : plan.surface.points.end();
+  held_ = held != plan.surface.points.end() && *held == *plan.hand.held ? static_cast<Index>(held - plan.surface.points.begin()) : no_index;
   search_.begin_frame(plan, x_);
   impacts_ = 0;
   excess_ = 0;
