@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <glm/geometric.hpp>
@@ -214,11 +215,20 @@ TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) {
   EXPECT_NEAR(order_after_impact(method(), falling_pair), method().order_with.contact, 0.2);
 }
 
-// The larger modulus of the eigenvalues of one step, which is the growth factor of a mode.
+// The largest modulus of the eigenvalues of one step, which is the growth factor of a mode: of the roots of a cubic by simultaneous
+// iteration (K. Weierstrass, E. Durand, I. O. Kerner).
 double growth(const Integrator& method, const Oscillator& oscillator) {
-  const auto [trace, determinant] = method.amplification(oscillator);
+  const auto [trace, determinant, third] = method.amplification(oscillator);
   const double discriminant = 0.25 * trace * trace - determinant;
-  return discriminant < 0.0 ? std::sqrt(determinant) : 0.5 * std::abs(trace) + std::sqrt(discriminant);
+  if (third == 0.0) return discriminant < 0.0 ? std::sqrt(determinant) : 0.5 * std::abs(trace) + std::sqrt(discriminant);
+  using Complex = std::complex<double>;
+  std::array<Complex, 3> root{Complex(1.0, 0.0), Complex(0.4, 0.9), Complex(-0.65, 0.72)};
+  for (int iteration = 0; iteration < 60; ++iteration)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Complex z = root[i], value = ((z - trace) * z + determinant) * z - third;
+      root[i] = z - value / ((z - root[(i + 1) % 3]) * (z - root[(i + 2) % 3]));
+    }
+  return std::max({std::abs(root[0]), std::abs(root[1]), std::abs(root[2])});
 }
 
 // x'' = -w^2 x - lambda x' - c x', a spring without rest length attached to a nail: growth of (x, v / w) over `count` steps.
@@ -258,7 +268,9 @@ TEST_P(Row, IsStableUpToItsLimitAndNotBeyond) {
       for (double h = beyond; h < 1.02 * std::max(limit, 1e-3); h *= 1.0001)
         if (growth_at(h) > growth_at(beyond)) beyond = h;
       const int count = std::min(20000, static_cast<int>(std::log(1e6) / std::log(growth_at(beyond))) + 1);
-      EXPECT_GT(growth_after(method(), omega, lambda, drag, beyond, count), 0.01 * std::pow(growth_at(beyond), count)) << count << " steps";
+      // the start contains less of a mode of which the acceleration of the step before is a part
+      const double part = method().amplification({.h_lambda = 1.0}).third == 0.0 ? 0.01 : 1e-4;
+      EXPECT_GT(growth_after(method(), omega, lambda, drag, beyond, count), part * std::pow(growth_at(beyond), count)) << count << " steps";
     }
 }
 
@@ -266,15 +278,17 @@ TEST_P(Row, IsStableUpToItsLimitAndNotBeyond) {
 // Runge-Kutta methods at z = i theta
 TEST(Amplification, OfAnUndampedModeMatchesTheTextbook) {
   const auto expect_eigenvalue = [](std::string_view id, double theta, std::complex<double> expected) {
-    const auto [trace, determinant] = find_integrator(id)->amplification({.h_omega_squared = theta * theta});
+    const auto [trace, determinant, third] = find_integrator(id)->amplification({.h_omega_squared = theta * theta});
     EXPECT_NEAR(trace, 2.0 * expected.real(), 1e-12 * std::max(1.0, std::abs(trace))) << id << ", h w = " << theta;
     EXPECT_NEAR(determinant, std::norm(expected), 1e-12 * std::max(1.0, determinant)) << id << ", h w = " << theta;
+    EXPECT_EQ(third, 0.0) << id;
   };
   for (const double theta : {0.01, 0.3, 1.0, 1.9}) {
     const std::complex<double> z(0.0, theta), turned = std::polar(1.0, std::acos(1.0 - 0.5 * theta * theta));
     expect_eigenvalue("explicit_euler", theta, std::polar(std::sqrt(1.0 + theta * theta), std::atan(theta)));
     expect_eigenvalue("symplectic_euler", theta, turned);
     expect_eigenvalue("velocity_verlet", theta, turned);
+    expect_eigenvalue("velocity_verlet_explicit", theta, turned);
     expect_eigenvalue("runge_kutta4", theta, 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
     for (const char* id : {"implicit_euler", "baraff_witkin", "xpbd"})
       expect_eigenvalue(id, theta, std::polar(1.0 / std::sqrt(1.0 + theta * theta), std::atan(theta)));
@@ -290,7 +304,7 @@ TEST(Amplification, OfAnUndampedModeMatchesTheTextbook) {
   for (const auto& [id, order] : {std::pair("blanes_moan4", 4), {"esdirk4", 4}, {"dop853", 8}}) {
     const Integrator& method = *find_integrator(id);
     const auto off = [&method](double theta) {
-      const auto [trace, determinant] = method.amplification({.h_omega_squared = theta * theta});
+      const auto [trace, determinant, third] = method.amplification({.h_omega_squared = theta * theta});
       return std::abs(std::complex<double>(0.5 * trace, std::sqrt(determinant - 0.25 * trace * trace)) - std::polar(1.0, theta));
     };
     const double theta = order == 4 ? 0.05 : 0.4;

@@ -150,13 +150,13 @@ TEST(PointOrder, MakesGridsOfShuffledRopes) {
 
 TEST(PointOrder, IsThatOfTheSystemIfItHasGridsOrIsSmall) {
   for (const ClothDiagonals diagonals : {ClothDiagonals::None, ClothDiagonals::Down, ClothDiagonals::Both, ClothDiagonals::Alternating})
-    EXPECT_TRUE(make_plan(make_net_of_cells({.diagonals = diagonals, .missing = 30}).system).point_index.empty());
+    EXPECT_TRUE(make_plan(make_net_of_cells({.diagonals = diagonals, .missing = 30}).system).numbering.index.empty());
   const TestSim small = make_net_of_cells({.rows = 7, .columns = 10});
   ASSERT_LT(small.system.spring_count(), min_springs_of_grids);
-  EXPECT_TRUE(make_plan(shuffled(small).system).point_index.empty());
+  EXPECT_TRUE(make_plan(shuffled(small).system).numbering.index.empty());
   const System net = shuffled(make_net_of_cells({})).system;
-  EXPECT_FALSE(make_plan(net).point_index.empty());
-  EXPECT_TRUE(make_plan(net, Numbering::AsListed).point_index.empty());
+  EXPECT_FALSE(make_plan(net).numbering.index.empty());
+  EXPECT_TRUE(make_plan(net, Numbering::AsListed).numbering.index.empty());
 }
 
 TEST(PointOrder, ContainsEveryPointOfHostileGraphsOnce) {
@@ -213,8 +213,8 @@ TEST(PointOrder, BringsTheEndsOfSpringsCloseInABlock) {
   for (std::size_t i = 0; i < order.size(); ++i) number[order[i]] = static_cast<Index>(i);
   // levels of the search are diagonal planes of the block, of up to 3/4 n^2 points
   EXPECT_LT(measure_order(block.point_count(), ends, number).distance, 0.75 * n * n);
-  EXPECT_EQ(make_plan(block).point_index, order);
-  EXPECT_TRUE(make_plan(lattice_block(n).system).point_index.empty());
+  EXPECT_EQ(make_plan(block).numbering.index, order);
+  EXPECT_TRUE(make_plan(lattice_block(n).system).numbering.index.empty());
 }
 
 }  // namespace

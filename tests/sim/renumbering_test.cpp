@@ -220,10 +220,10 @@ TEST(Renumbering, OutlivesChangesOfValues) {
   for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->stiffness *= 1.0 + 0.001 * s;
   refresh_values(plan, sim.system);
   const Plan made = make_plan(sim.system);
-  EXPECT_EQ(plan.numbering.index, made.point_index);
+  EXPECT_EQ(plan.numbering.index, made.numbering.index);
   EXPECT_EQ(plan.inverse_mass, made.inverse_mass);
   EXPECT_EQ(plan.mass, made.mass);
-  EXPECT_EQ(plan.spring.stiffness, made.stiffness);
+  EXPECT_EQ(plan.spring.stiffness, made.spring.stiffness);
 }
 
 }  // namespace

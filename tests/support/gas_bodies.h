@@ -109,12 +109,6 @@ struct PackedGas {
   }
 };
 
-inline Vec3 vector_at(const Plan& plan, const Field& f, Index i) {
-  Vec3 result(0.0);
-  for (int c = 0; c < plan.dimensions; ++c) result[c] = f[static_cast<std::size_t>(c) * plan.points + i];
-  return result;
-}
-
 inline double length_of(const Field& f) {
   double square = 0.0;
   for (const double component : f) square += component * component;

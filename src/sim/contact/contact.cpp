@@ -104,18 +104,6 @@ class PointPass {
     if (plan_.collider_paths.any_moves) result.supplied = sum_of({before_.supplied.data() + first, end - first});
   }
 
-  // By the points of a block that touched, of which there are some.
-  void extend_touched(std::size_t number) const {
-    const std::size_t first = number * block;
-    std::size_t begin = first, end = std::min(n_, first + block);
-    while (before_.outcome[end - 1] == RestingPoints::Free) --end;
-    if (before_.touched.end == 0) {
-      while (before_.outcome[begin] == RestingPoints::Free) ++begin;
-      before_.touched.first = static_cast<Index>(begin);
-    }
-    before_.touched.end = static_cast<Index>(end);
-  }
-
   // After all others, in the order of the points. Adds their work [J], and bounds on what colliders have supplied.
   void solve_open_points(std::size_t number, Touches& touches, double& work, double& supplied) const {
     for (std::size_t i = number * block; i < std::min(n_, (number + 1) * block); ++i) {
@@ -214,12 +202,10 @@ void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
 
   // sums in the order of the blocks
   double work = 0.0, supplied = 0.0;
-  before.touched = {};
   for (std::size_t number = 0; number < blocks; ++number) {
     const ContactWorkspace::Block& block = before.blocks[number];
     if (!block.any_solved && !block.any_open) continue;
     touched = true;
-    pass.extend_touched(number);
     work += block.work;
     supplied += block.supplied;
     if (block.any_open) pass.solve_open_points(number, touches[0], work, supplied);

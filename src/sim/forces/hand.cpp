@@ -10,12 +10,6 @@ namespace {
 // The component c of every point.
 const double* component(const Plan& plan, const Field& field, int c) { return field.data() + static_cast<std::size_t>(c) * plan.points; }
 
-Vec3 vector_at(const Plan& plan, const Field& field, Index point) {
-  Vec3 vector(0.0);
-  for (int c = 0; c < plan.dimensions; ++c) vector[c] = component(plan, field, c)[point];
-  return vector;
-}
-
 }  // namespace
 
 Vec3 hand_force(const Plan& plan, const Motion& motion) {

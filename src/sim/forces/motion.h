@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "sim/forces/dashpots/dashpot_sweeps.h"
@@ -18,27 +19,8 @@ struct BrokenSpring {
   double dashpot_power = 0.0;  // [W]
 };
 
-struct Motion {
-  double time = 0.0;
-  Field x, v;  // positions [m] and velocities [m/s]
-  Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
-  // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
-  bool acceleration_is_current = false;
-  // Forces at x [N] that a method leaves at the end of its step for the start of the next one, if acceleration_is_current: all but the
-  // listed ones. Where they are Open, whoever computes the power of those adds them, at (x, v) and the time, so that they are Complete.
-  // External: gravity and the listed ones instead, as they acted at the end of the step, at x and a velocity near v.
-  enum class Forces { None, Unlisted, Open, Complete, External };
-  Field forces;
-  Forces contents = Forces::None;
-  double power = 0.0;  // [W], of the listed forces at (x, v), if External
-  // Where contact has moved points since they were current: the first of them, and the one after the last. Then `a` is still current at the
-  // points that no spring joins to these. Nowhere unless contact alone moved points, just after the step.
-  struct Moved {
-    Index first = 0, end = 0;
-  };
-  Moved moved;
-  MethodMemory memory;
-  // since the start of the frame
+// What was done since the start of the frame.
+struct StepCounts {
   long force_evaluations = 0;
   long factorizations = 0;
   long solves = 0;              // linear systems solved with a factorization
@@ -49,6 +31,19 @@ struct Motion {
   // of contact of points, faces and springs with each other: pairs that were examined, on paths once for each distance, and impulses
   // between two, those of each sweep
   long contact_tests = 0, contact_impulses = 0;
+};
+
+struct Motion {
+  double time = 0.0;
+  Field x, v;  // positions [m] and velocities [m/s]
+  Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
+  // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
+  bool acceleration_is_current = false;
+  // [W], of the listed forces at the end of the method's last step, but for what follows from potentials; none: the method does not know
+  // it.
+  std::optional<double> power;
+  MethodMemory memory;
+  StepCounts counts;
   // at the start of the frame: edges that pass through faces, in flat scenes springs through each other, of those that contact keeps apart
   long crossings = 0;
   EnergyLedger energy;               // of drag and dashpots only as far as PowerWork measures them

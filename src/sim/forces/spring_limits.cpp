@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/forces/constants.h"
 #include "sim/forces/energy/plan_energy.h"
 
 namespace hooke {
@@ -39,9 +40,6 @@ double energy_of(const Plan& plan, const Motion& motion) {
   return kinetic + stored_energy(plan, motion.x);
 }
 
-// Of the length to the limit: a spring that is longer was not shortened before.
-constexpr double max_conserving_ratio = 1.01;
-
 // Moves the ends of one spring to the distance `max` and stops their separation. As the distance decreases, they rotate faster about their
 // common center, so that l times the transverse velocity is conserved and a swing loses nothing. This does not apply to a spring that is
 // far too long after a step that was too coarse, because the ends would be accelerated in every round.
@@ -68,14 +66,13 @@ void limit_spring(const Plan& plan, Motion& motion, Index first, Index second, d
 
 // One round over all springs. Returns whether any was too long.
 bool limit_all_springs(const Plan& plan, Motion& motion) {
-  constexpr double tolerance = 1e-9;  // of the length
   bool any = false;
   for (const SpringRun& run : plan.spring.runs) {
     if (!any_reaches_limit(plan, run, plan.spring.max_length, motion.x)) continue;
     for (Index e = 0; e < run.count; ++e) {
       const double max = plan.spring.max_length[run.begin + e];
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
-      if (!(length > max * (1.0 + tolerance)) || !std::isfinite(length)) continue;
+      if (!(length > max * (1.0 + limit_tolerance)) || !std::isfinite(length)) continue;
       limit_spring(plan, motion, run.first + e, run.second + e, length, max);
       any = true;
     }
@@ -127,14 +124,6 @@ bool carries_force(const Plan& plan, Index spring) {
 
 }  // namespace
 
-bool any_reaches_limit(const Plan& plan, const std::vector<SpringRun>& runs, const Field& x) {
-  for (const std::vector<double>* limit : {&plan.spring.break_length, &plan.spring.max_length})
-    if (!limit->empty() &&
-        std::any_of(runs.begin(), runs.end(), [&](const SpringRun& run) { return any_reaches_limit(plan, run, *limit, x); }))
-      return true;
-  return false;
-}
-
 double time_to_break(const Plan& plan, const Motion& motion) {
   double min = std::numeric_limits<double>::infinity();
   if (plan.spring.break_length.empty()) return min;
@@ -175,10 +164,9 @@ bool limit_strain(const Plan& plan, Motion& motion) {
   const auto is_too_long = [&](const SpringRun& run) { return any_reaches_limit(plan, run, plan.spring.max_length, motion.x); };
   if (std::none_of(plan.spring.runs.begin(), plan.spring.runs.end(), is_too_long)) return false;
 
-  constexpr int max_rounds = 16;
   const double before = energy_of(plan, motion);
   bool any = false, is_met = false;
-  for (int round = 0; round < max_rounds && !is_met; ++round) {
+  for (int round = 0; round < max_limit_rounds && !is_met; ++round) {
     ++motion.counts.limit_sweeps;
     is_met = !limit_all_springs(plan, motion);
     any = any || !is_met;

@@ -5,9 +5,6 @@
 
 namespace hooke {
 
-// Whether any spring of the runs is as long as the length at which it breaks or is shortened; false if there are no such lengths.
-bool any_reaches_limit(const Plan& plan, const std::vector<SpringRun>& runs, const Field& x);
-
 // [s], until a spring that separates reaches the length at which it breaks, at the velocities of this motion; infinity: none does.
 double time_to_break(const Plan& plan, const Motion& motion);
 

@@ -245,18 +245,9 @@ void refresh_values(Plan& plan, const System& system) {
 }
 
 void refresh_grids(Plan& plan) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  // what springs reach in a step or not is decided by their lengths; here it is enough to be sure that they do not
-  std::vector<double> limit;
-  if (!plan.spring.break_length.empty() || !plan.spring.max_length.empty()) limit.assign(plan.springs, infinity);
-  for (const std::vector<double>* lengths : {&plan.spring.break_length, &plan.spring.max_length})
-    for (Index s = 0; s < static_cast<Index>(lengths->size()); ++s)
-      limit[s] = std::min(limit[s], (*lengths)[s] * (*lengths)[s] * (1.0 - 1e-14));
-
   for (Grid& grid : plan.spring.grids) {
-    set_values(grid, plan.spring.rest_length, 0.0, false, grid.rest_length);
-    for (auto* values : {&grid.damping, &grid.max_length_squared}) *values = {};
-    if (!limit.empty()) set_values(grid, limit, infinity, false, grid.max_length_squared);
+    set_values(grid, plan.spring.rest_length, false, grid.rest_length);
+    grid.damping = {};
   }
   refresh_grid_stiffness(plan);
 }
@@ -264,8 +255,8 @@ void refresh_grids(Plan& plan) {
 void refresh_grid_stiffness(Plan& plan) {
   const bool may_break = !plan.spring.break_length.empty();
   for (Grid& grid : plan.spring.grids) {
-    set_values(grid, plan.spring.stiffness, 0.0, may_break, grid.stiffness);
-    if (plan.has_dashpots()) set_values(grid, plan.spring.damping, 0.0, may_break, grid.damping);
+    set_values(grid, plan.spring.stiffness, may_break, grid.stiffness);
+    if (plan.has_dashpots()) set_values(grid, plan.spring.damping, may_break, grid.damping);
   }
 }
 
@@ -313,7 +304,6 @@ ColliderReach reach_of(const Collider& collider) {
 }  // namespace
 
 double plausible_reach(const System& system, const Spectrum& spectrum, double extent, double speed, double time) {
-  constexpr double margin = 1000.0;
   double acceleration = glm::length(system.gravity);
   for (const Spring& spring : system.springs()) extent = std::max(extent, spring.rest_length);
   for (const Collider& collider : system.colliders) {
@@ -327,10 +317,10 @@ double plausible_reach(const System& system, const Spectrum& spectrum, double ex
   if (!std::isfinite(acceleration)) {
     // A repulsion that increases with the distance leads away exponentially if its derivative is bounded. Otherwise it leads anywhere
     // within a short time, and no method follows it there.
-    if (spectrum.is_bounded) return margin * (extent + time * speed) * portable::exp(spectrum.omega * time);
+    if (spectrum.is_bounded) return reach_margin * (extent + time * speed) * portable::exp(spectrum.omega * time);
     return std::max(1e9, 1e12 * (extent + time * speed));
   }
-  return margin * (extent + time * (speed + time * acceleration));
+  return reach_margin * (extent + time * (speed + time * acceleration));
 }
 
 Spectrum bound_spectrum(const System& system, double point_speed) {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
-#include "sim/contact/clearance.h"
 #include "sim/forces/bands.h"
 #include "sim/forces/hand.h"
 #include "sim/forces/spring_limits.h"
@@ -26,6 +24,12 @@ void keep_start(const Plan& plan, const Motion& motion, ContactWorkspace& before
   });
 }
 
+// Whether anything acts between two substeps or depends on the time.
+bool acts_between_substeps(const Plan& plan) {
+  return plan.hand.held || plan.hand.pull || plan.has_contact() || !plan.forces.empty() || !plan.spring.break_length.empty() ||
+         !plan.spring.max_length.empty();
+}
+
 }  // namespace
 
 void Substep::begin_frame(Plan& plan, const Settings& settings, Motion& motion) {
@@ -34,7 +38,6 @@ void Substep::begin_frame(Plan& plan, const Settings& settings, Motion& motion) 
   count_ = settings.substeps;
   h_ = 1.0 / settings.frame_rate / count_;
   left_ = prepared_ = h_;
-  one_by_one_ = 0;
   locates_breaks_ = settings.locates_breaks && !plan.spring.break_length.empty();
   has_touched_ = has_impact_ = false;
   failure_ = StepFailure::None;
@@ -67,11 +70,8 @@ void Substep::prepare_method(const Plan& plan, double h, const Motion& motion) {
 }
 
 int Substep::advance(Plan& plan, Motion& motion, int done) {
-  if (const int flown = fly(plan, motion, done); flown > 0) return flown;
+  if (const int taken = take_several(plan, motion, done); taken > 0) return taken;
 
-  const EnergyLedger ledger = motion.energy;
-  const long evaluations = motion.counts.force_evaluations, sweeps = motion.counts.dashpot_sweeps;
-  const bool knew_acceleration = motion.acceleration_is_current;
   bool is_moved = false;
   const double length = step(plan, motion, done, is_moved);
   if (length == 0.0) return 0;
@@ -84,21 +84,7 @@ int Substep::advance(Plan& plan, Motion& motion, int done) {
   if (is_adaptive() && done < count_ && adaptive_.is_at_limit(motion)) failure_ = StepFailure::TooMany;
   if (plan.touches_itself() && (is_adaptive() ? adaptive_.has_too_many_pairs() : before_.has_too_many_pairs()))
     failure_ = StepFailure::TooManyPairs;
-  if (!ends) return 0;
-
-  // where contact has left every bit as it was, the rest of the frame is as this substep: dashpots among the forces would act at velocities
-  // that the state does not contain
-  const bool is_state_complete = !plan.has_dashpots() || motion.counts.dashpot_sweeps > sweeps;
-  if (!is_moved || knew_acceleration || !is_state_complete || !is_at_rest(plan, motion)) return 1;
-  EnergyLedger of_substep = motion.energy;
-  of_substep -= ledger;
-  const long more_evaluations = motion.counts.force_evaluations - evaluations, more_sweeps = motion.counts.dashpot_sweeps - sweeps;
-  const int rest = count_ - done;
-  motion.energy += of_substep *= rest;
-  motion.counts.force_evaluations += rest * more_evaluations;
-  motion.counts.dashpot_sweeps += rest * more_sweeps;
-  motion.time = time_after(count_);
-  return 1 + rest;
+  return ends ? 1 : 0;
 }
 
 // A step of at most the time that is left of the substep, with all that belongs to it but the breaks. Returns its length [s]; 0: it failed.
@@ -149,7 +135,6 @@ bool Substep::step_by_method(const Plan& plan, Motion& motion, double length) {
 bool Substep::correct(const Plan& plan, Motion& motion, double h) {
   bool is_moved = limit_strain(plan, before_, motion);
   if (plan.has_contact() && resolve_contacts(plan, before_, motion, h)) {
-    if (!is_moved && motion.acceleration_is_current && !plan.touches_itself()) motion.moved = before_.touched;
     is_moved = has_touched_ = true;
     has_impact_ = has_impact_ || std::isfinite(before_.first_impact);
   }
@@ -160,7 +145,6 @@ bool Substep::correct(const Plan& plan, Motion& motion, double h) {
 void Substep::break_long_springs(Plan& plan, Motion& motion) {
   if (plan.spring.break_length.empty() || !break_springs(plan, motion, broken_)) return;
   motion.acceleration_is_current = false;
-  motion.moved = {};
   works_.forget_power();
   prepare_method(plan, prepared_, motion);
 }
@@ -178,54 +162,16 @@ double Substep::next_length(const Plan& plan, const Motion& motion) const {
   return left_ <= max ? left_ : left_ / std::ceil(left_ / max);
 }
 
-// Several substeps at once. Whether anything acts between them is known only afterwards: then they are taken back, and as many are made one
-// by one. Returns how many; 0: none.
-int Substep::fly(Plan& plan, Motion& motion, int done) {
-  // not after a part of a substep
-  if (left_ != h_ || prepared_ != h_) return 0;
-  if (one_by_one_ > 0) {
-    --one_by_one_;
-    return 0;
-  }
-  const int at_once = plan.execution.single
-                          ? max_at_once
-                          : std::clamp(springs_at_once / std::max(1, static_cast<int>(plan.springs)), min_at_once, max_at_once);
-  const int count = std::min(at_once, count_ - done);
-  const bool is_worth_it = method_->fly != nullptr && !plan.touches_itself() && plan.springs >= min_springs_of_grids && count > 1;
-  if (!is_worth_it || !can_fly(plan)) return 0;
-  motion.moved = {};
-  one_by_one_ = count - 1;
-
-  Flight flight{.clearance = compute_clearance(plan, motion.x)};
-  if (flight.was_interrupted()) return 0;
-  const bool may_be_interrupted = !plan.colliders.empty() || !plan.spring.break_length.empty() || !plan.spring.max_length.empty();
-  if (may_be_interrupted) keep_start(plan, motion, before_);
+// Several substeps at once, where the method is faster for it and nothing acts between two of them. Not after a part of a substep.
+int Substep::take_several(const Plan& plan, Motion& motion, int done) {
+  const int count = std::min(max_at_once, count_ - done);
+  if (method_->steps == nullptr || count == 1 || left_ != h_ || prepared_ != h_ || acts_between_substeps(plan)) return 0;
   works_.begin_substep(plan, motion);
-  method_->fly(plan, motion, work_, h_, count, flight);
-  if (flight.was_interrupted()) {
-    motion.time = before_.time;
-    motion.x = before_.x;
-    motion.v = before_.v;
-    motion.acceleration_is_current = false;
-    return 0;
-  }
-  one_by_one_ = 0;
+  method_->steps(plan, motion, work_, h_, count);
   motion.time = time_after(done + count);
   works_.end_steps(plan, motion, count * h_);
-  const bool is_moved = limit_strain(plan, before_, motion);
-  if (is_moved) motion.acceleration_is_current = false;
-  works_.end_substep(plan, motion, count * h_, is_moved);
-  break_long_springs(plan, motion);
+  works_.end_substep(plan, motion, count * h_, false);
   return count;
-}
-
-// Whether the substep that contact ended left every bit as it was before: then so do all that follow it.
-bool Substep::is_at_rest(const Plan& plan, const Motion& motion) const {
-  const bool acts_alone =
-      plan.spring.max_length.empty() && plan.spring.break_length.empty() && plan.forces.empty() && !plan.touches_itself();
-  if (method_->fly == nullptr || !acts_alone || !can_fly(plan)) return false;
-  const auto is_same = [](const Field& a, const Field& b) { return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0; };
-  return is_same(motion.v, before_.v) && is_same(motion.x, before_.x);
 }
 
 }  // namespace hooke

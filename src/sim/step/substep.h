@@ -24,13 +24,14 @@ class Substep {
   // Once a frame, with its method and its motion as packed; a step never allocates.
   void begin_frame(Plan& plan, const Settings& settings, Motion& motion);
 
-  // Leads on by a substep, of which `done` are done. Where nothing acts between them by several, as many in every run; by a part of one
-  // where a method chooses its steps or a break is located. Returns how many were completed.
+  // Leads on by a substep, of which `done` are done; where nothing acts between them, by several; by a part of one where a
+  // method chooses its steps or a break is located. Returns how many were completed.
   int advance(Plan& plan, Motion& motion, int done);
 
   StepFailure failure() const { return failure_; }
-  // Whether any point touched a collider or another point in this frame.
+  // Whether any point touched a collider or another point in this frame, and whether any did so with a velocity that ended.
   bool has_touched() const { return has_touched_; }
+  bool has_impact() const { return has_impact_; }
   // Whether a point struck something: it did not only rest, slide or leave.
   bool has_impact() const { return has_impact_; }
   // Indices in the System of springs that broke in this frame, in ascending order.
@@ -48,13 +49,11 @@ class Substep {
   bool step_by_method(const Plan& plan, Motion& motion, double length);
   bool correct(const Plan& plan, Motion& motion, double h);
   void break_long_springs(Plan& plan, Motion& motion);
-  int fly(Plan& plan, Motion& motion, int done);
-  bool is_at_rest(const Plan& plan, const Motion& motion) const;
+  int take_several(const Plan& plan, Motion& motion, int done);
 
   const Integrator* method_ = nullptr;
   double start_ = 0.0, h_ = 0.0;  // [s], of the frame and of a substep
   int count_ = 0;                 // substeps of the frame
-  int one_by_one_ = 0;            // substeps between which something acts
   double left_ = 0.0;             // [s], of the substep in progress
   double prepared_ = 0.0;         // [s], the step for which the method is prepared
   bool locates_breaks_ = false;

@@ -30,6 +30,13 @@ double air_work(const Plan& plan, const Field& start, const Field& end) {
   return work;
 }
 
+double power_of_forces(const Plan& plan, double time, const Field& x, const Field& v) {
+  double power = 0.0;
+  for (const Force& force : plan.forces)
+    if (force.term->power != nullptr) power += force.term->power(plan, force.values, time, x.data(), v.data());
+  return power;
+}
+
 // [1/s], at which the power of this cause changes.
 double rate_of(const Plan& plan, EnergyCause cause) {
   if (cause == EnergyCause::Drag) return plan.drag;
@@ -90,28 +97,23 @@ void PowerWork::begin_frame(const Plan& plan, const Motion& motion, DashpotSweep
   if (measures_dashpots_) free_x_.resize(motion.x.size());
 }
 
-EnergyLedger PowerWork::power(const Plan& plan, double time, const Field& x, const Field& v) const {
+EnergyLedger PowerWork::damping_power(const Plan& plan, const Field& x, const Field& v) const {
   EnergyLedger power;
-  for (const Force& force : plan.forces)
-    if (force.term->power != nullptr) power.add(EnergyCause::Forces, force.term->power(plan, force.values, time, x.data(), v.data()));
   if (measures_drag_) power.add(EnergyCause::Drag, -2.0 * plan.drag * kinetic_energy(plan, v));
   if (measures_dashpots_ && !sweeps_->has_swept()) power.add(EnergyCause::Dashpots, -dashpot_power(plan, x, v));
   return power;
 }
 
-// Where the method has left the forces at the end of its step, these and their power are computed together.
-EnergyLedger PowerWork::power_at_end(const Plan& plan, Motion& motion) const {
-  const bool is_open = motion.contents == Motion::Forces::Open, is_known = is_open || motion.contents == Motion::Forces::External;
-  if (!has_forces_ || !is_known) return power(plan, motion.time, motion.x, motion.v);
-  EnergyLedger power;
-  if (is_open) {
-    power.add(EnergyCause::Forces, add_force_terms_with_power(plan, motion.time, motion.x, motion.v, motion.forces));
-    motion.contents = Motion::Forces::Complete;
-  } else {
-    power.add(EnergyCause::Forces, motion.power);
-  }
-  if (measures_drag_) power.add(EnergyCause::Drag, -2.0 * plan.drag * kinetic_energy(plan, motion.v));
-  if (measures_dashpots_ && !sweeps_->has_swept()) power.add(EnergyCause::Dashpots, -dashpot_power(plan, motion.x, motion.v));
+EnergyLedger PowerWork::power(const Plan& plan, double time, const Field& x, const Field& v) const {
+  EnergyLedger power = damping_power(plan, x, v);
+  power.add(EnergyCause::Forces, power_of_forces(plan, time, x, v));
+  return power;
+}
+
+// Some methods know the power of the listed forces there.
+EnergyLedger PowerWork::power_at_end(const Plan& plan, const Motion& motion) const {
+  EnergyLedger power = damping_power(plan, motion.x, motion.v);
+  power.add(EnergyCause::Forces, motion.power ? *motion.power : power_of_forces(plan, motion.time, motion.x, motion.v));
   return power;
 }
 
@@ -119,12 +121,9 @@ void PowerWork::begin_substep(const Plan& plan, const Motion& motion) {
   if (!has_power() && !has_potential_ && !has_air_) return;
   time_ = motion.time;
   work_ = {};
-  // a step follows that needs no more than the power at both ends
-  const bool is_external = motion.contents == Motion::Forces::External && motion.acceleration_is_current;
-  const bool needs_path = !is_external || measures_drag_ || measures_dashpots_ || plan.has_contact();
-  if (needs_path || has_air_) std::ranges::copy(motion.x, x_.begin());
+  std::ranges::copy(motion.x, x_.begin());
   if (!has_power()) return;
-  if (needs_path) std::ranges::copy(motion.v, v_.begin());
+  std::ranges::copy(motion.v, v_.begin());
   if (!is_power_current_) power_ = power(plan, motion.time, motion.x, motion.v);
   if (measures_dashpots_) sweeps_->begin_step();
 }
@@ -141,8 +140,7 @@ EnergyLedger PowerWork::displacement_work(const Plan& plan, double h, const Fiel
 
 void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
   if (!has_power()) return;
-  const bool is_external = has_forces_ && motion.contents == Motion::Forces::External;
-  if (is_external) return end_steps(plan, motion, h);
+  if (motion.power) return end_steps(plan, motion, h);
   const EnergyLedger start = power_;
   power_ = power_at_end(plan, motion);
   is_power_current_ = true;

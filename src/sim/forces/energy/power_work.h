@@ -18,7 +18,7 @@ class PowerWork {
   // for each substep.
   void begin_frame(const Plan& plan, const Motion& motion, DashpotSweeps& sweeps, bool measures_damping);
   void begin_substep(const Plan& plan, const Motion& motion);
-  // After the method's step of h and before anything else moves points. Completes motion.forces.
+  // After the method's step of h and before anything else moves points.
   void end_step(const Plan& plan, Motion& motion, double h);
   // The same after several steps that lasted h together, from the power at both ends: by the trapezoidal rule, or, where h does not resolve
   // its rate, by its logarithmic mean, which is exact for exponential decay.
@@ -30,7 +30,8 @@ class PowerWork {
 
  private:
   EnergyLedger power(const Plan& plan, double time, const Field& x, const Field& v) const;
-  EnergyLedger power_at_end(const Plan& plan, Motion& motion) const;
+  EnergyLedger damping_power(const Plan& plan, const Field& x, const Field& v) const;
+  EnergyLedger power_at_end(const Plan& plan, const Motion& motion) const;
   EnergyLedger displacement_work(const Plan& plan, double h, const Field& end);
   void add_potential_work(const Plan& plan, Motion& motion, double h);
   double work_of_sweeps(const Plan& plan, double h, const Motion& motion, bool is_moved) const;

@@ -37,11 +37,6 @@ double stiffness_of(const ForceValues& values) { return values[0]; }
 double damping_of(const ForceValues& values) { return values[0] * values[1]; }  // [N m s]
 bool is_as_built(const ForceValues& values) { return values[2] != 0.0; }
 
-Vec3 at(const Plan& plan, const double* field, Index i) {
-  const std::size_t n = plan.points, k = i;
-  return {field[k], field[n + k], field[2 * n + k]};
-}
-
 // f_i = -B sum K_ij (x_j - x_i), as the rows of K have the sum 0.
 void add_elastic(const Plan& plan, double stiffness, const double* x, double* f) {
   const HingePlan& hinges = plan.force_data.hinges;
@@ -62,10 +57,10 @@ using HingeVectors = std::array<Vec3, 3>;
 HingeVectors hinge_vectors(const Plan& plan, const HingedFace& face, const double* field) {
   HingeVectors c{};
   std::array<Vec3, 3> corner;
-  for (int a = 0; a < 3; ++a) corner[a] = at(plan, field, face.points[a]);
+  for (int a = 0; a < 3; ++a) corner[a] = vector_at(plan, field, face.points[a]);
   for (int i = 0; i < 3; ++i)
     c[i] = face.weights[i][0] * corner[0] + face.weights[i][1] * corner[1] + face.weights[i][2] * corner[2] +
-           face.weights[i][3] * at(plan, field, face.points[3 + i]);
+           face.weights[i][3] * vector_at(plan, field, face.points[3 + i]);
   return c;
 }
 
@@ -127,7 +122,7 @@ class HingeGradients {
   std::array<double, 3> moments(const Plan& plan, const HingedFace& face, const double* v) const {
     std::array<double, 3> rate{};
     for (int i = 0; i < 3; ++i)
-      for (int a = 0; a < 6; ++a) rate[i] += glm::dot(gradient_[i][a], at(plan, v, face.points[a]));
+      for (int a = 0; a < 6; ++a) rate[i] += glm::dot(gradient_[i][a], vector_at(plan, v, face.points[a]));
     return coupled(face, rate);
   }
 
@@ -145,7 +140,7 @@ class HingeRates : public HingeGradients {
  public:
   HingeRates(const Plan& plan, const HingedFace& face, const double* x) {
     std::array<Vec3, 6> p;
-    for (int a = 0; a < 6; ++a) p[a] = at(plan, x, face.points[a]);
+    for (int a = 0; a < 6; ++a) p[a] = vector_at(plan, x, face.points[a]);
     const Vec3 twice_area = glm::cross(p[1] - p[0], p[2] - p[0]);
     const double size = glm::length(twice_area);
     if (size == 0.0) return;
@@ -179,7 +174,7 @@ class HingeAngles : public HingeGradients {
  public:
   HingeAngles(const Plan& plan, const HingedFace& face, const double* x) {
     std::array<Vec3, 6> p;
-    for (int a = 0; a < 6; ++a) p[a] = at(plan, x, face.points[a]);
+    for (int a = 0; a < 6; ++a) p[a] = vector_at(plan, x, face.points[a]);
     for (int i = 0; i < 3; ++i) {
       has_angle_[i] = face.points[3 + i] != face.points[i];
       for (int t = 0; t < 2 && has_angle_[i]; ++t) {
@@ -340,7 +335,7 @@ double power_of(const Plan& plan, const HingedFace& face, const HingeGradients& 
   double sum = 0.0;
   for (int a = 0; a < 6; ++a) {
     if (plan.inverse_mass[face.points[a]] == 0.0) continue;
-    for (int i = 0; i < 3; ++i) sum -= moment[i] * glm::dot(hinges.gradient(i, a), at(plan, v, face.points[a]));
+    for (int i = 0; i < 3; ++i) sum -= moment[i] * glm::dot(hinges.gradient(i, a), vector_at(plan, v, face.points[a]));
   }
   return sum;
 }

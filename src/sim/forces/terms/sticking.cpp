@@ -4,17 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/forces/constants.h"
 #include "sim/forces/forces.h"
 
 namespace hooke {
 namespace {
-
-// [m], the distance within which a point counts as touching: contact places resting points on the surface to round-off
-constexpr double touch_tolerance = 1e-9;
-// [m/s], and of the velocities: the speed away from a plane at which a point is not at rest on it
-constexpr double rest_tolerance = 1e-9;
-// [m], [m/s]
-constexpr double round_off = 1e-13;
 
 double along(const Plan& plan, const Vec3& normal, const double* field, Index point) {
   double sum = 0.0;
@@ -39,9 +33,9 @@ double speed_of_plane(const Plan& plan, const StickyContact& contact, double tim
 bool is_at_rest_on(const Plan& plan, const StickyContact& contact, const Motion& motion) {
   const Vec3& normal = normal_of(plan, contact);
   const double distance = along(plan, normal, motion.x.data(), contact.point) - height_of(plan, contact, motion.time);
-  if (std::abs(distance - plan.radius[contact.point]) > touch_tolerance) return false;
+  if (std::abs(distance - plan.radius[contact.point]) > sticky_distance) return false;
   const double speed = speed_of_plane(plan, contact, motion.time), relative = along(plan, normal, motion.v.data(), contact.point) - speed;
-  return std::abs(relative) <= rest_tolerance * (1.0 + std::abs(speed));
+  return std::abs(relative) <= sticky_speed * (1.0 + std::abs(speed));
 }
 
 }  // namespace
@@ -69,7 +63,7 @@ void keep_on_planes(const Plan& plan, double time, Motion& motion) {
       motion.energy.add(EnergyCause::Contact, -0.5 * plan.mass[contact.point] * relative * relative);
       motion.energy.add(EnergyCause::Colliders, -plan.mass[contact.point] * relative * speed);
     }
-    if (std::max(distance, relative) > round_off) motion.acceleration_is_current = false;
+    if (std::max(distance, relative) > sticky_round_off) motion.acceleration_is_current = false;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "sim/forces/constants.h"
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/forces/terms/wind_kernel.h"
@@ -42,11 +43,6 @@ double smooth_noise(double t, double seed) {
   const auto place = static_cast<std::int64_t>(whole);
   const double blend = part * part * (3.0 - 2.0 * part);
   return (1.0 - blend) * random_at(place, seed) + blend * random_at(place + 1, seed);
-}
-
-Vec3 vector_at(const Plan& plan, const double* field, std::size_t i) {
-  const std::size_t n = plan.points;
-  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
 }
 
 void add_to(const Plan& plan, double* f, std::size_t i, const Vec3& force) {
@@ -176,7 +172,6 @@ struct FaceEstimate {
   double stiffness = 0.0, rate = 0.0;
 };
 FaceEstimate estimate_faces(const System& system, double coefficient, double speed) {
-  constexpr double perimeter = 3.4;  // [1], of an isosceles right triangle, relative to its short sides
   std::vector<double> length(system.points().size(), std::numeric_limits<double>::infinity());
   for (const Spring& spring : system.springs())
     for (const PointId end : {spring.first, spring.second})
@@ -190,7 +185,7 @@ FaceEstimate estimate_faces(const System& system, double coefficient, double spe
     for (const PointId corner : face.points) {
       const Index i = system.index_of(corner);
       if (system.points()[i].nailed) continue;
-      row[i].stiffness += coefficient * speed * speed * perimeter * edge / (6.0 * system.points()[i].mass);
+      row[i].stiffness += coefficient * speed * speed * perimeter_of_face * edge / (6.0 * system.points()[i].mass);
       row[i].rate += coefficient * speed * edge * edge / (3.0 * system.points()[i].mass);
     }
   }

@@ -17,16 +17,10 @@
 
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
+#include "sim/methods/constants.h"
 
 namespace hooke {
 namespace {
-
-// Contraction above which a new factorization is cheaper than more iterations.
-constexpr double max_contraction = 0.25;
-// b omega above which exact curvature is not tried far from the solution.
-constexpr double max_exact_stiffness = 10.0;
-// Iterations that update the listed forces, if some are not continuous.
-constexpr int max_force_updates = 10;
 
 // x + b V
 void set_positions(const Stage& stage, const Field& V, Field& x) {
@@ -117,7 +111,7 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
 // x_ = x + b V and residual_ = grad Phi there, with listed forces at their own velocities or unchanged.
 void NewtonSolver::evaluate(const Plan& plan, const Stage& stage, const Field& V, const Field* term_velocity, Motion& motion) {
   set_positions(stage, V, x_);
-  compute_network_forces(plan, stage.time, x_, V, f_);
+  compute_unlisted_forces(plan, stage.time, x_, plan.has_dashpots() ? &V : nullptr, f_);
   ++motion.counts.force_evaluations;
 
   if (!plan.forces.empty()) {
@@ -160,14 +154,13 @@ void NewtonSolver::compute_step(Motion& motion) {
 // Halves the step until Phi decreases as required by Armijo's rule; a decrease below the rounding error of Phi is accepted. The
 // result is in trial_v_. Returns the fraction of the step, 0 if none leads downhill.
 double NewtonSolver::line_search(const Plan& plan, const Stage& stage, const Field& V, const Potential& current, Potential& trial) {
-  constexpr double armijo = 1e-4, rounding = 1e-14, min = 1e-9;
   const double slope = dot(residual_, step_);
-  for (double step_fraction = 1.0; step_fraction > min; step_fraction *= 0.5) {
+  for (double step_fraction = 1.0; step_fraction > min_newton_step; step_fraction *= 0.5) {
     std::copy(V.begin(), V.end(), trial_v_.begin());
     add_scaled(trial_v_.data(), step_fraction, step_.data(), V.size());
     set_positions(stage, trial_v_, trial_x_);
     trial = potential(plan, stage, trial_x_, trial_v_);
-    if (trial.value <= current.value + armijo * step_fraction * slope || -step_fraction * slope <= rounding * current.magnitude)
+    if (trial.value <= current.value + armijo * step_fraction * slope || -step_fraction * slope <= potential_round_off * current.magnitude)
       return step_fraction;
   }
   return 0.0;
@@ -187,9 +180,8 @@ void NewtonSolver::restart_from_rest_if_lower(const Plan& plan, const Stage& sta
 // [m/s]: rounding of positions changes a spring force by k epsilon x, and V by at most b k / m of that, or by 1 / b where stiffness
 // dominates.
 double NewtonSolver::round_off(const Plan& plan, const Stage& stage, const Field& V) const {
-  constexpr double epsilon = 2e-16;
   const double stiffness = stage.b * plan.spectrum.omega * (stage.b * plan.spectrum.omega);
-  return epsilon * (root_mean_square(plan, V) + max_coordinate_ / stage.b * stiffness / (1.0 + stiffness));
+  return position_round_off * (root_mean_square(plan, V) + max_coordinate_ / stage.b * stiffness / (1.0 + stiffness));
 }
 
 // RMS of V - v [m/s].
