@@ -33,7 +33,7 @@ Outcome run(const TestSim& start, int frames, const Settings& settings) {
     result.state = next_frame(plan, frame, start.system, settings, result.state);
     result.evaluations += frame.motion().counts.force_evaluations;
     result.sweeps += frame.motion().counts.dashpot_sweeps;
-    result.work += frame.motion().force_work;
+    result.work += frame.motion().energy.forces();
   }
   return result;
 }

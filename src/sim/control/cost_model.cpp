@@ -4,21 +4,21 @@
 #include <bit>
 #include <cmath>
 
+#include "sim/control/constants.h"
+
 namespace hooke {
 namespace {
 
+using namespace control;
+
 constexpr double ms_per_ns = 1e-6;
-// Passes over all points for each stage, which methods without fused kicks and drifts make.
-constexpr double unfused = 1.45;
-// [ns], of contact of points, faces and springs with each other: within a factor of 1.5 in piles of balls and sheets in folds.
-constexpr double contact_test = 45.0, contact_impulse = 18.0;
 
 }  // namespace
 
 CostModel::CostModel(const Plan& plan) {
   const double points = static_cast<double>(std::ranges::count_if(plan.inverse_mass, [](double w) { return w != 0.0; })),
                springs = plan.springs, dimensions = plan.dimensions;
-  force_ = 2.8 * springs + 0.4 * points + 80.0;
+  force_ = spring_cost * springs + point_cost * points + call_cost;
   for (const Force& force : plan.forces) {
     const ForceCost cost = force.term->cost != nullptr ? force.term->cost(plan, force.values) : ForceCost{};
     const double items = cost.of_faces ? static_cast<double>(plan.force_data.faces.size()) : points;
@@ -26,27 +26,25 @@ CostModel::CostModel(const Plan& plan) {
     substep_ += cost.energy * items;
   }
   if (!plan.spring.max_length.empty()) {
-    limit_sweep_ = 5.0 * springs;
+    limit_sweep_ = limit_cost * springs;
     substep_ += springs;
-    // while a part of the springs is at the limit
-    expected_limit_ = 5.0 * limit_sweep_;
+    expected_limit_ = expected_limit_sweeps * limit_sweep_;
   }
   const double contacts = (plan.pairs.on ? 1.0 : 0.0) + (plan.surface.on ? 1.0 : 0.0);
-  contact_ = points * (10.0 * static_cast<double>(plan.colliders.size()) + 20.0 * contacts);
-  // between that in flight and in a pile
-  expected_contact_ = contact_ + 380.0 * points * contacts;
-  sweep_ = 10.2 * springs + points + 100.0;
-  dashpots_ = plan.has_dashpots() ? 2.6 * springs : 0.0;
+  contact_ = points * (collider_cost * static_cast<double>(plan.colliders.size()) + neighbor_cost * contacts);
+  expected_contact_ = contact_ + (expected_neighbor_cost - neighbor_cost) * points * contacts;
+  sweep_ = constraint_cost * springs + constraint_point_cost * points + constraint_call_cost;
+  dashpots_ = plan.has_dashpots() ? dashpot_cost * springs : 0.0;
 
   // a chain fills nothing in; of the springs of a net that close loops, each separates regions of about sqrt(n) points
   const double loops = std::max(0.0, springs / std::max(1.0, points) - 1.0), area = dimensions * dimensions / 9.0;
   const double levels = std::bit_width(static_cast<unsigned>(points));
-  factorization_ = area * points * (140.0 + 10.0 * loops * std::sqrt(points)) + 100.0;
-  solve_ = area * points * (95.0 + 5.0 * loops * levels) + force_;
+  factorization_ = area * points * (factor_cost + factor_loop_cost * loops * std::sqrt(points)) + constraint_call_cost;
+  solve_ = area * points * (solve_cost + solve_loop_cost * loops * levels) + force_;
 }
 
 double CostModel::evaluation(const Integrator& method) const {
-  return method.stability == Stability::Conditional && method.symplectic ? force_ : unfused * force_;
+  return method.stability == Stability::Conditional && method.symplectic ? force_ : unfused_factor * force_;
 }
 
 double CostModel::of(const Integrator& method, const Motion& motion, int substeps) const {
@@ -64,9 +62,8 @@ double CostModel::expected(const Integrator& method, int substeps) const {
   const double between = expected_contact_ + substep_ + expected_limit_;
   if (method.implicit_solve == ImplicitSolve::Once) return ms_per_ns * substeps * (factorization_ + solve_ + between);
   if (method.implicit_solve == ImplicitSolve::Iterative) {
-    constexpr int iterations = 4;
     const int stages = method.order <= 2 ? method.order : 5;
-    return ms_per_ns * (factorization_ + substeps * (stages * iterations * solve_ + between));
+    return ms_per_ns * (factorization_ + substeps * (stages * expected_iterations * solve_ + between));
   }
   if (method.stability == Stability::EachSpring) return ms_per_ns * substeps * (sweep_ + between);
   const int evaluations = method.order <= 2 ? 1 : method.symplectic ? 6 : method.order;

@@ -53,8 +53,7 @@ bool FrameRuns::have_impacts() const {
 }
 
 double FrameRuns::error(const System& system, const Integrator& method) const {
-  constexpr int max_order = 2;
-  const int order = have_events() ? 1 : std::min(max_order, order_of(system, method, ends_[0]));
+  const int order = have_events() ? 1 : std::min(control::max_counted_order, order_of(system, method, ends_[0]));
   const double reduction = std::ldexp(1.0, order);
   const auto error_of = [&](const FrameEnd& coarse, const FrameEnd& fine) {
     const bool agree = coarse.is_finite && fine.is_finite && coarse.broken == fine.broken;

@@ -8,6 +8,7 @@
 
 #include "sim/contact/contact.h"
 #include "sim/control/automatic.h"
+#include "sim/control/constants.h"
 #include "sim/control/cost_model.h"
 #include "sim/control/frame_runner.h"
 #include "sim/methods/rows.h"
@@ -56,9 +57,8 @@ Settings refined(const System& system, const Settings& settings) {
   // limit is imposed once per substep
   const bool halves = acts_once_per_substep(system);
   if (halves) fine.substeps *= 2;
-  const double tighter = halves ? 1.0 / 256.0 : has_contact(system) ? 0.1 : 1e-3;
-  constexpr double min = 1e-15;
-  fine.tolerance = std::max(min, tighter * settings.tolerance.value_or(default_tolerance));
+  const double factor = halves ? control::tighter_as_half_step : has_contact(system) ? control::tighter_with_contact : control::tighter;
+  fine.tolerance = std::max(control::min_tolerance, factor * settings.tolerance.value_or(default_tolerance));
   return fine;
 }
 
@@ -82,23 +82,19 @@ std::optional<Settings> resolving(const Plan& plan, const Settings& settings, do
   if (!dissipates) return std::nullopt;
   const double h_omega = plan.spectrum.omega * settings.substep();
   const Amplification fastest = method.amplification({.h_omega_squared = h_omega * h_omega});
-  constexpr double kept = 0.8;  // of the square of the amplitude of the fastest vibration, within a frame
-  if (portable::pow(std::max(fastest.determinant, 1e-300), settings.substeps) > kept) return std::nullopt;
-  constexpr double margin = 1.5;  // of the linear limit
-  constexpr double cheap = 2.0;   // [ms]
+  if (portable::pow(std::max(fastest.determinant, 1e-300), settings.substeps) > control::kept_vibration) return std::nullopt;
   const CostModel model(plan);
-  const double max_cost = std::max(cheap, max_ratio * model.expected(method, settings.substeps));
+  const double max_cost = std::max(control::cheap_run, max_ratio * model.expected(method, settings.substeps));
   for (const Integrator* each : {&blanes_moan4, &velocity_verlet}) {
     const auto stable = StepLimits(plan.spectrum).stable_substeps(*each, settings.frame_rate);
-    const double substeps = stable ? margin * *stable : max_automatic_substeps + 1.0;
+    const double substeps = stable ? control::resolving_margin * *stable : max_automatic_substeps + 1.0;
     if (!(substeps <= max_automatic_substeps)) continue;
     Settings fine = settings;
     fine.integrator = each;
     fine.locates_breaks = true;
     fine.substeps = std::max(settings.substeps, static_cast<int>(substeps));
     if (plan.spectrum.dashpot_rate * fine.substep() > 1.0) {
-      constexpr double max_decay = 0.25;  // of a dashpot, in a step that resolves it
-      const double resolved = plan.spectrum.dashpot_rate / (max_decay * settings.frame_rate);
+      const double resolved = plan.spectrum.dashpot_rate / (control::resolving_decay * settings.frame_rate);
       if (!(resolved <= max_automatic_substeps)) continue;
       fine.substeps = static_cast<int>(resolved);
     }
@@ -110,8 +106,7 @@ std::optional<Settings> resolving(const Plan& plan, const Settings& settings, do
 }  // namespace
 
 Repetition repetition_of(const Plan& plan, const System& system, const Settings& settings) {
-  constexpr double cost_of_half_step = 2.0;
-  if (const auto fine = resolving(plan, settings, cost_of_half_step)) return {*fine, 1.0, true};
+  if (const auto fine = resolving(plan, settings, control::cost_of_half_step)) return {*fine, 1.0, true};
   return {refined(system, settings), refinement_weight(system, settings)};
 }
 

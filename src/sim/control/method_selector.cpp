@@ -28,8 +28,7 @@ std::optional<int> min_automatic_substeps(const StepLimits& limits, const Integr
   if (!min) return std::nullopt;
   double rate = method.splits_dashpots ? spectrum.dashpot_rate : 0.0;
   // contact takes the path of a step for a parabola, which that of a method with many stages need not be
-  constexpr int parabolic_order = 2;
-  if (spectrum.contact && method.order > parabolic_order) rate = std::max(rate, spectrum.omega);
+  if (spectrum.contact && method.order > control::parabolic_order) rate = std::max(rate, spectrum.omega);
   const double resolving = std::ceil(rate / frame_rate);
   if (!(std::max<double>(*min, resolving) <= max_automatic_substeps / 4)) return std::nullopt;
   return std::max(*min, static_cast<int>(resolving));

@@ -5,6 +5,9 @@
 
 namespace hooke {
 
+// [m], of the positions in a step, of methods that adapt it.
+inline constexpr double default_tolerance = 1e-8;
+
 // [m^2], of the ends of a dashpot: shorter springs have no well-defined direction, and the factor of the impulse may overflow.
 inline constexpr double min_dashpot_length_squared = 1e-280;
 // [springs], from which a net is swept in two halves, on two threads if there are any, and [springs] for each spring from one half to the

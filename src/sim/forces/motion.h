@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/forces/constants.h"
 #include "sim/forces/dashpots/dashpot_sweeps.h"
 #include "sim/model/energy_ledger.h"
 #include "sim/model/state.h"
@@ -76,8 +77,6 @@ class Structure {
   std::vector<Index> hinge_begin_, hinge_column_;
   std::vector<EdgeEnds> enclosure_edges_;
 };
-
-inline constexpr double default_tolerance = 1e-8;  // [m], of adaptive methods
 
 // Scratch memory of an integrator: sized and filled by its `prepare`; a step never allocates.
 struct Workspace {

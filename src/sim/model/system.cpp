@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/overloaded.h"
+#include "sim/model/constants.h"
 #include "sim/model/portable_math.h"
 
 namespace hooke {
@@ -70,10 +71,8 @@ Vec3 ColliderPath::acceleration(double time) const {
 }
 
 double ColliderPath::resolving_step() const {
-  // the parabolas of contact (contact/obstacle.h) deviate by 5e-4 of the amplitude and 2 % of the largest velocity
-  constexpr double steps_per_period = 16.0;
   if (amplitude == Vec3(0.0) || frequency == 0.0) return std::numeric_limits<double>::infinity();
-  return 1.0 / (steps_per_period * frequency);
+  return 1.0 / (collider_steps_per_period * frequency);
 }
 
 ColliderShape translated(ColliderShape shape, const Vec3& displacement) {

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/forces/forces.h"
+#include "sim/statics/constants.h"
 
 namespace hooke {
 namespace {
@@ -49,12 +50,11 @@ double find_equilibrium(const Plan& plan, StiffnessMatrix& matrix, double tolera
     if (!(residual > tolerance) || step == max_steps) break;
 
     // far from equilibrium the exact matrix is hardly ever positive definite
-    constexpr double exact_threshold = 1e5;
     const auto factorize = [&](Curvature curvature) {
       matrix.assemble(plan, b, x, zero_velocity, curvature);
       return matrix.factorize();
     };
-    if (!(residual < exact_threshold * tolerance && factorize(Curvature::Exact)) && !factorize(Curvature::Clamped)) break;
+    if (!(residual < max_exact_residual * tolerance && factorize(Curvature::Exact)) && !factorize(Curvature::Clamped)) break;
     matrix.solve(f);
     const double scale = std::min(1.0, max_displacement / (b * b * max_abs(f)));
     for (std::size_t at = 0; at < x.size(); ++at) x[at] += scale * b * b * f[at];

@@ -1,4 +1,5 @@
 #include "sim/statics/linear_motion.h"
+#include "sim/statics/constants.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -134,8 +135,6 @@ double LinearMotion::drift_speed(const State& state) const {
   Matrix stiffness = root.asDiagonal() * -motion.rates.block(n, 0, n, n) * root.cwiseInverse().asDiagonal();
   stiffness = 0.5 * (stiffness + stiffness.transpose()).eval();
   const Eigen::SelfAdjointEigenSolver<Matrix> modes(stiffness);
-  // the equilibrium, and with it the stiffness across a spring, is known to about 1e-10
-  constexpr double round_off = 1e-9;
   const double max = modes.eigenvalues().cwiseAbs().maxCoeff();
   Vector velocity(n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -144,7 +143,8 @@ double LinearMotion::drift_speed(const State& state) const {
   }
   Vector drift = Vector::Zero(n);
   for (Eigen::Index mode = 0; mode < n; ++mode)
-    if (modes.eigenvalues()[mode] < round_off * max) drift += modes.eigenvectors().col(mode).dot(velocity) * modes.eigenvectors().col(mode);
+    if (modes.eigenvalues()[mode] < zero_eigenvalue * max)
+      drift += modes.eigenvectors().col(mode).dot(velocity) * modes.eigenvectors().col(mode);
   // of the whole scene, along each axis
   for (const Vec3& axis : {Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)}) {
     if (motion.is_supported) break;

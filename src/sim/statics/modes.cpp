@@ -7,15 +7,13 @@
 #include <limits>
 
 #include "sim/forces/spring_tangents.h"
+#include "sim/statics/constants.h"
 
 namespace hooke {
 namespace {
 
 using Vector = Eigen::VectorXd;
 using Operator = std::function<void(Vector&)>;  // in place
-
-constexpr int max_steps = 40;
-constexpr double eigenvalue_tolerance = 0.02;  // of an eigenvalue, which is the square of a frequency
 
 struct RitzPair {
   double value, error;
@@ -26,7 +24,7 @@ struct RitzPair {
 class Lanczos {
  public:
   Lanczos(Vector start, const Operator& apply) {
-    const int steps = static_cast<int>(std::min<Eigen::Index>(max_steps, start.size()));
+    const int steps = static_cast<int>(std::min<Eigen::Index>(max_lanczos_steps, start.size()));
     Vector alpha(steps), beta(steps);
     double norm = start.norm();
     while (static_cast<int>(basis_.size()) < steps && norm > 0.0) {
@@ -95,9 +93,8 @@ std::optional<Mode> confirmed_mode(const Find& find, bool is_damped) {
   std::optional<Mode> mode = find(golden_ratio);
   if (!mode || !is_damped) return mode;
   const std::optional<Mode> other = find(silver_ratio);
-  constexpr double relative_tolerance = 0.1, absolute_tolerance = 1e-6;
   if (!other || std::abs(mode->dashpot_rate - other->dashpot_rate) >
-                    relative_tolerance * std::max(mode->dashpot_rate, other->dashpot_rate) + absolute_tolerance * mode->omega)
+                    same_damping * std::max(mode->dashpot_rate, other->dashpot_rate) + same_damping_of_frequency * mode->omega)
     mode->dashpot_rate = std::numeric_limits<double>::quiet_NaN();
   return mode;
 }

@@ -151,7 +151,8 @@ double AdaptiveStep::advance_within_tolerance(const Step& step, double interval,
     const double error = scale.relative(position, velocity);
     if (!std::isfinite(error)) return 0.0;
     const double factor =
-        error == 0.0 ? max_step_factor : std::clamp(step_safety * portable::pow(error, -1.0 / 3.0), min_step_factor, max_step_factor);
+        error == 0.0 ? max_contact_step_factor
+                     : std::clamp(contact_step_safety * portable::pow(error, -1.0 / 3.0), min_contact_step_factor, max_contact_step_factor);
     if (error <= 1.0 || h <= step.work.min_step) {
       motion.local_error += position;
       accept(step, before, h, factor, free_step);
@@ -165,7 +166,7 @@ double AdaptiveStep::advance_within_tolerance(const Step& step, double interval,
 
 // Sets the next step after one of h with contact. A step truncated by the end of the interval says little about it.
 void AdaptiveStep::accept(const Step& step, const Taken& before, double h, double factor, double free_step) {
-  const double contact_step = factor == max_step_factor ? std::max(before.memory.step, max_step_factor * h) : factor * h;
+  const double contact_step = factor == max_contact_step_factor ? std::max(before.memory.step, max_contact_step_factor * h) : factor * h;
   double& next = step.motion.memory.step;
   next = std::max(step.work.min_step, std::min(free_step, contact_step));
   if (ends_free_) next = std::max(next, free_step_);

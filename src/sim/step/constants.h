@@ -19,7 +19,7 @@ inline constexpr double max_piece = 0.55;
 inline constexpr int max_splits = 8;
 // [1], by which the step follows the error of contact, of third order (E. Hairer, S. Norsett, G. Wanner, Solving Ordinary Differential
 // Equations I, II.4: 0.9 and factors within 0.1 and a few times).
-inline constexpr double step_safety = 0.9, min_step_factor = 0.1, max_step_factor = 2.0;
+inline constexpr double contact_step_safety = 0.9, min_contact_step_factor = 0.1, max_contact_step_factor = 2.0;
 // Attempts to end a step just before an impact, each with the impact located by a shorter step than before; and where it ends [1], before
 // the impact, of the step that resolves it, so that the impact is in the first half of the next one.
 inline constexpr int max_attempts_before_impact = 4;
@@ -31,8 +31,8 @@ inline constexpr double gap_before_impact = 0.25;
 // spring may break too late.
 inline constexpr double max_angle_to_break = 0.25, min_part_to_break = 1.0 / 64.0;
 
-// Several substeps at once, which change results by rounding alone: so many that they take about a millisecond.
-inline constexpr int springs_at_once = 1'000'000, min_at_once = 8, max_at_once = 64;
+// Substeps at once, which change results by rounding alone.
+inline constexpr int max_at_once = 64;
 
 // Divergence.
 
