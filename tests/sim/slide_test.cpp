@@ -98,7 +98,7 @@ TEST_P(Slide, OnAHorizontalPlaneStopsAfterTheStoppingDistance) {
 
 // a surface without friction does not affect the motion along it, including forces
 TEST_P(Slide, WithoutFrictionMovesAsIfThePlaneWereAbsent) {
-  const auto swinging = [&](bool on_plane) {
+  const auto swinging = [&](bool on_plane, int steps = 600) {
     TestSim sim;
     const PointId point = sim.add({0.5, 0.0, 0.2}, 0.5, {0.0, 0.0, 1.0});
     sim.join(point, sim.nail({0.0, 0.0, 0.0}), 60.0, 0.3, 0.2);
@@ -106,12 +106,15 @@ TEST_P(Slide, WithoutFrictionMovesAsIfThePlaneWereAbsent) {
       sim.system.colliders = {{.shape = Plane{}}};
     else
       sim.system.gravity = Vec3(0.0);
-    sim.run(method(), 1.0, 600);
-    return sim.state;
+    sim.run(method(), 1.0, steps);
+    return sim.state.position[0];
   };
   // the forces within a step are evaluated up to y = g h^2 below the plane, where the spring is y^2 / 2l longer
-  const double below = g / 360000.0, bound = 0.5 * 60.0 / 0.5 * below * below / 0.5;
-  EXPECT_LT(glm::distance(swinging(true).position[0], swinging(false).position[0]), bound);
+  const double below = g / 360000.0;
+  double bound = 0.5 * 60.0 / 0.5 * below * below / 0.5;
+  // a method that keeps the acceleration of the step before starts anew after contact: a part of its own error
+  if (method().amplification({.h_lambda = 0.1}).third != 0.0) bound = glm::distance(swinging(false), swinging(false, 1200));
+  EXPECT_LT(glm::distance(swinging(true), swinging(false)), bound);
 }
 
 class Rest : public EveryMethod {};
