@@ -32,8 +32,6 @@ class Substep {
   // Whether any point touched a collider or another point in this frame, and whether any did so with a velocity that ended.
   bool has_touched() const { return has_touched_; }
   bool has_impact() const { return has_impact_; }
-  // Whether a point struck something: it did not only rest, slide or leave.
-  bool has_impact() const { return has_impact_; }
   // Indices in the System of springs that broke in this frame, in ascending order.
   std::span<const Index> broken() const { return broken_; }
   const Integrator& method() const { return *method_; }
