@@ -182,45 +182,6 @@ TEST(SurfaceContact, KeepsNoVelocityInWhatRestsOnIt) {
   }
 }
 
-// Two faces whose normals differ by this angle [degrees] move towards two others that are fixed, with their common edges, across each
-// other, in front: nothing else comes near. Returns the smallest distance of these edges [m].
-double closest_ridges(double angle, double thickness) {
-  const double slope = std::tan(0.5 * angle * std::numbers::pi / 180.0);
-  TestSim sim;
-  const auto add_faces = [&](const std::array<PointId, 4>& ids) {
-    sim.system.faces.push_back({{ids[0], ids[1], ids[2]}});
-    sim.system.faces.push_back({{ids[1], ids[0], ids[3]}});
-  };
-  add_faces({sim.nail({0.0, 0.0, -1.0}), sim.nail({0.0, 0.0, 1.0}), sim.nail({1.0, -slope, 0.0}), sim.nail({-1.0, -slope, 0.0})});
-  const double start = 2.0 * thickness;
-  const std::array<Vec3, 4> places{Vec3(-1.0, start, 0.0), Vec3(1.0, start, 0.0), Vec3(0.0, start + slope, 1.0),
-                                   Vec3(0.0, start + slope, -1.0)};
-  std::array<PointId, 4> ids{};
-  for (int i = 0; i < 4; ++i) ids[i] = sim.add(places[i], i < 2 ? 1.0 : 1e-3, {0.0, -0.5, 0.0});
-  for (const auto& [i, j] : {std::pair(0, 1), {0, 2}, {1, 2}, {0, 3}, {1, 3}})
-    sim.join(ids[i], ids[j], 10.0, glm::distance(places[i], places[j]));
-  add_faces(ids);
-  sim.system.gravity = Vec3(0.0);
-  sim.system.contact = {.faces = true, .thickness = thickness};
-  double closest = start;
-  for (int i = 0; i < 300; ++i) {
-    sim.run(verlet(), 1e-3, 4);
-    closest = std::min(closest, 0.5 * (sim.state.position[4].y + sim.state.position[5].y));
-  }
-  return closest;
-}
-
-// Where a surface is flat, its points keep it apart from others: edges touch at a quarter of the thickness up to 10 degrees, at all of it
-// from 25 degrees on.
-TEST(SurfaceContact, ThinsTheEdgesOfFlatPlaces) {
-  constexpr double thickness = 0.05;
-  for (const auto& [angle, part] : {std::pair(5.0, 0.25), {9.0, 0.25}, {26.0, 1.0}, {40.0, 1.0}})
-    EXPECT_NEAR(closest_ridges(angle, thickness), part * thickness, 1e-3 * thickness) << angle;
-  const double between = closest_ridges(17.0, thickness);
-  EXPECT_GT(between, 0.3 * thickness);
-  EXPECT_LT(between, 0.95 * thickness);
-}
-
 // A sheet lies on another, which lies on the floor; with dashpots all motion ends.
 TEST(SurfaceContact, LetsAPileOfSheetsComeToRest) {
   TestSim sim;

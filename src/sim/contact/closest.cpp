@@ -1,5 +1,7 @@
 #include "sim/contact/closest.h"
 
+#include "sim/contact/constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -80,17 +82,17 @@ double free_part(FeaturePair kind, const FourPoints& x, const FourPoints& displa
   // by how much the distance changes at most
   const double reach = kind == FeaturePair::PointFace ? length[0] + std::max({length[1], length[2], length[3]})
                                                       : std::max(length[0], length[1]) + std::max(length[2], length[3]);
-  constexpr double safety = 0.9, min_part = 0.1;
+  using contact::ccd_min_part, contact::ccd_safety;
   double t = 0.0, now = distance;
   constexpr int max_steps = 1000;
   for (int step = 0; step < max_steps; ++step) {
-    const double next = t + safety * now / reach;
+    const double next = t + ccd_safety * now / reach;
     if (!(next < 1.0)) return 1.0;
     ++steps;
     FourPoints at;
     for (int i = 0; i < 4; ++i) at[i] = x[i] + next * relative[i];
     const double then = closest_points(kind, at).distance;
-    if (!(then > min_part * distance)) return t;
+    if (!(then > ccd_min_part * distance)) return t;
     t = next;
     now = then;
   }

@@ -1,0 +1,235 @@
+#include "sim/contact/surface/surface_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "sim/contact/constants.h"
+
+namespace hooke {
+namespace {
+
+// Of the first feature, as seen from the second.
+Vec3 relative(const SurfaceContact& contact, std::span<const Vec3> field) {
+  const auto& [i, j, k, l] = contact.points;
+  const std::array<double, 4>& w = contact.weight;
+  return w[0] * field[i] + w[1] * field[j] + w[2] * field[k] + w[3] * field[l];
+}
+
+void apply(const SurfaceContact& contact, const Vec3& impulse, std::span<const double> inverse_mass, std::span<Vec3> velocity) {
+  for (int c = 0; c < 4; ++c) velocity[contact.points[c]] += inverse_mass[contact.points[c]] * contact.weight[c] * impulse;
+}
+
+// The impulse that reaches the target. What separates is pushed by no more than a spring would; what approaches is stopped in any case.
+void solve(SurfaceContact& contact, std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity) {
+  const Vec3 v = relative(contact, velocity);
+  const double normal_velocity = glm::dot(contact.normal, v);
+  if (contact.impulse.normal == 0.0 && !(normal_velocity < contact.target)) return;
+  double impulse = contact.impulse.normal + (contact.target - normal_velocity) / contact.response;
+  if (contact.target > 0.0)
+    impulse = std::min(impulse, std::max(contact.max_push, contact.impulse.normal - normal_velocity / contact.response));
+  const Vec3 slip = v - normal_velocity * contact.normal;
+  apply(contact,
+        change_impulse(contact.impulse, std::clamp(impulse, 0.0, contact.max_impulse), contact.normal, friction, slip, contact.response),
+        inverse_mass, velocity);
+}
+
+void solve(ObstacleContact& contact, std::span<const double> inverse_mass, std::span<Vec3> velocity) {
+  Vec3& v = velocity[contact.point];
+  const double response = inverse_mass[contact.point], normal_velocity = glm::dot(contact.normal, v);
+  if (contact.impulse.normal == 0.0 && !(normal_velocity < contact.target)) return;
+  const double impulse = std::max(0.0, contact.impulse.normal + (contact.target - normal_velocity) / response);
+  const Vec3 relative = v - contact.surface, slip = relative - glm::dot(contact.normal, relative) * contact.normal;
+  v += response * change_impulse(contact.impulse, impulse, contact.normal, contact.friction, slip, response);
+}
+
+Vec3 across(const Vec3& normal, const Vec3& w) { return w - glm::dot(normal, w) * normal; }
+
+ContactImpulse scaled(const ContactImpulse& impulse, double factor, const Vec3& normal) {
+  return {factor * impulse.normal, factor * across(normal, impulse.friction)};
+}
+Vec3 total(const ContactImpulse& impulse, const Vec3& normal) { return impulse.normal * normal + impulse.friction; }
+
+// Adds what remains positive.
+ContactImpulse sum(const ContactImpulse& a, const ContactImpulse& b) {
+  return {std::max(0.0, a.normal + b.normal), a.friction + b.friction};
+}
+ContactImpulse difference(const ContactImpulse& a, const ContactImpulse& b) { return {a.normal - b.normal, a.friction - b.friction}; }
+
+}  // namespace
+
+void SurfaceContacts::begin_frame() {
+  last_.clear();
+  last_obstacles_.clear();
+  last_h_ = 0.0;
+}
+
+void SurfaceContacts::make(const Step& step, const SurfaceDetection& detection) {
+  surface.clear();
+  obstacles.clear();
+  list_ = detection.list_number();
+  const double slack = contact::slack * step.plan.max_thickness;
+  for (const SurfaceDetection::Near& near : detection.near()) {
+    if (!near.touches) continue;
+    SurfaceContact contact{.points = near.points,
+                           .weight = near.closest.weight,
+                           .normal = near.closest.separation / near.closest.distance,
+                           .thickness = near.contact,
+                           .gap = near.closest.distance - near.contact,
+                           .pair = near.pair,
+                           .kind = near.kind};
+    if (contact.gap + step.h * glm::dot(contact.normal, relative(contact, step.u)) < slack) add(step, contact);
+  }
+}
+
+void SurfaceContacts::add_points(const Step& step, Index i, Index j, double distance) {
+  const Vec3 separation = step.x[i] - step.x[j];
+  const double length = glm::length(separation);
+  if (length <= contact::coincident * distance) return;
+  add(step, {.points = {i, i, j, j},
+             .weight = {1.0, 0.0, -1.0, 0.0},
+             .normal = separation / length,
+             .thickness = distance,
+             .gap = length - distance});
+}
+
+// Overlaps are removed by the velocity omega / (2 zeta + h omega) times the overlap, which is the bias of a soft constraint with frequency
+// omega and damping ratio zeta (E. Catto, Box2D v3, b2MakeSoft), and by no more than the force of its spring. Unlike there, what approaches
+// is stopped by any force: the constraint is rigid in that direction. The mass of the spring is that of the contact, and never more than
+// what accelerates its points by omega^2 times the overlap.
+//
+// An impulse J on weights w that changes x1 by h J w / m and v1 by J w / m adds the angular momentum sum w (x1 - h v1) x J. So its
+// direction is that of sum w (x1 - h v1), which is the line between the closest points for methods with x1 = x0 + h v1, and nearly that for
+// others.
+void SurfaceContacts::add(const Step& step, SurfaceContact contact) {
+  const Vec3 arm = relative(contact, step.arm);
+  const double length = std::sqrt(glm::dot(arm, arm));
+  constexpr double min_cosine = 0.9;
+  if (glm::dot(arm, contact.normal) > min_cosine * length) contact.normal = arm / length;
+  double fastest = 0.0;  // [1/kg], velocity of a point per impulse
+  for (int c = 0; c < 4; ++c) {
+    const double change = contact.weight[c] * step.inverse_mass[contact.points[c]];
+    contact.response += contact.weight[c] * change;
+    fastest = std::max(fastest, std::abs(change));
+  }
+  if (contact.response == 0.0) return;
+  if (contact.gap >= 0.0) {
+    contact.target = -contact.gap / step.h;
+  } else {
+    const double frequency = std::min(step.plan.frequency, contact::max_frequency / step.h);
+    const double omega = 2.0 * std::numbers::pi * frequency, zeta = step.plan.damping_ratio;
+    contact.target = -contact.gap * omega / (2.0 * zeta + step.h * omega);
+    contact.max_push = -contact.gap * step.h * omega * omega / std::max(contact.response, fastest);
+  }
+  if (std::ranges::find(contact.points, step.held) != contact.points.end()) {
+    double drive = 0.0;  // [m/s]
+    for (int c = 0; c < 4; ++c)
+      if (contact.points[c] == step.held) drive += contact.weight[c] * glm::dot(contact.normal, step.u[step.held]);
+    const double approach = contact.target - glm::dot(contact.normal, relative(contact, step.u));
+    contact.max_impulse = contact::max_leverage * std::max(std::abs(drive), approach) / fastest;
+  }
+  surface.push_back(contact);
+}
+
+void SurfaceContacts::sweep(const Step& step, int count, std::span<Vec3> velocity) {
+  for (int sweep = 0; sweep < count; ++sweep) {
+    for (std::size_t k = 0; k < surface.size(); ++k)
+      solve(surface[sweep % 2 == 0 ? k : surface.size() - 1 - k], step.inverse_mass, step.plan.friction, velocity);
+    for (ObstacleContact& contact : obstacles) solve(contact, step.inverse_mass, velocity);
+  }
+  impulses += count * static_cast<long>(surface.size());
+}
+
+// The impulses of the same contacts in the last substep. Lists of pairs, and of points on obstacles, keep their order until pairs are
+// listed anew; then they are found by their points.
+void SurfaceContacts::recall(const Step& step) {
+  const double factor = last_h_ > 0.0 ? step.h / last_h_ : 0.0;
+  const auto by_points = [](const Memory& memory) { return std::pair(memory.kind, memory.points); };
+  const bool same_list = list_ == last_list_;
+  if (!same_list) std::ranges::sort(last_, {}, by_points);
+  auto next = last_.begin();
+  for (std::size_t k = 0; k < surface.size(); ++k) {
+    SurfaceContact& contact = surface[k];
+    if (contact.pair == no_index) continue;
+    if (same_list)
+      while (next != last_.end() && std::pair(next->kind, next->pair) < std::pair(contact.kind, contact.pair)) ++next;
+    else
+      next = std::ranges::lower_bound(last_, std::pair(contact.kind, contact.points), {}, by_points);
+    if (next == last_.end() || next->kind != contact.kind || next->points != contact.points) continue;
+    contact.impulse = scaled(next->path, factor, contact.normal);
+    end_[k] = scaled(next->end, factor, contact.normal);
+  }
+  auto last = last_obstacles_.begin();
+  for (std::size_t k = 0; k < obstacles.size(); ++k) {
+    ObstacleContact& contact = obstacles[k];
+    const std::pair key(contact.point, contact.obstacle);
+    while (last != last_obstacles_.end() && std::pair(last->points[0], last->pair) < key) ++last;
+    if (last == last_obstacles_.end() || std::pair(last->points[0], last->pair) != key) continue;
+    contact.impulse = scaled(last->path, factor, contact.normal);
+    obstacle_end_[k] = scaled(last->end, factor, contact.normal);
+  }
+}
+
+void SurfaceContacts::remember(const Step& step) {
+  last_.clear();
+  for (const SurfaceContact& contact : surface)
+    if (contact.pair != no_index && contact.impulse.normal + contact.path_impulse.normal > 0.0)
+      last_.push_back({.kind = contact.kind,
+                       .pair = contact.pair,
+                       .points = contact.points,
+                       .path = contact.path_impulse,
+                       .end = difference(contact.impulse, contact.path_impulse)});
+  last_obstacles_.clear();
+  for (const ObstacleContact& contact : obstacles)
+    if (contact.impulse.normal + contact.path_impulse.normal > 0.0)
+      last_obstacles_.push_back({.pair = contact.obstacle,
+                                 .points = {contact.point, 0, 0, 0},
+                                 .path = contact.path_impulse,
+                                 .end = difference(contact.impulse, contact.path_impulse)});
+  last_list_ = list_;
+  last_h_ = step.h;
+}
+
+void SurfaceContacts::solve_paths(const Step& step, std::span<Vec3> u) {
+  end_.assign(surface.size(), {});
+  obstacle_end_.assign(obstacles.size(), {});
+  for (ObstacleContact& contact : obstacles) contact.target = contact.path_velocity - std::max(0.0, contact.gap) / step.h;
+  recall(step);
+  for (const SurfaceContact& contact : surface)
+    if (contact.impulse.normal > 0.0) apply(contact, total(contact.impulse, contact.normal), step.inverse_mass, u);
+  for (const ObstacleContact& contact : obstacles)
+    if (contact.impulse.normal > 0.0) u[contact.point] += step.inverse_mass[contact.point] * total(contact.impulse, contact.normal);
+  sweep(step, last_h_ > 0.0 ? contact::sweeps : contact::first_sweeps, u);
+  for (SurfaceContact& contact : surface) contact.path_impulse = contact.impulse;
+  for (ObstacleContact& contact : obstacles) contact.path_impulse = contact.impulse;
+}
+
+// Contacts that are open at the end of the path may close in the next substep. Impulses act along the line between the features there.
+void SurfaceContacts::solve_ends(const Step& step, std::span<const Vec3> u, std::span<Vec3> velocity) {
+  const auto begin = [&](auto& contact, const ContactImpulse& end) {
+    const ContactImpulse before = contact.impulse;
+    contact.impulse = sum(before, end);
+    return (contact.impulse.normal - before.normal) * contact.normal + (contact.impulse.friction - before.friction);
+  };
+  for (std::size_t k = 0; k < surface.size(); ++k) {
+    SurfaceContact& contact = surface[k];
+    const Vec3 separation = relative(contact, step.x) + step.h * relative(contact, u);
+    const double distance = std::sqrt(glm::dot(separation, separation)), gap = distance - contact.thickness;
+    if (glm::dot(separation, contact.normal) > 0.0) contact.normal = separation / distance;
+    contact.target = contact.rebound > 0.0 && contact.impulse.normal > 0.0 ? contact.rebound : -std::max(0.0, gap) / step.h;
+    contact.max_push = std::numeric_limits<double>::infinity();
+    if (end_[k].normal != 0.0) apply(contact, begin(contact, end_[k]), step.inverse_mass, velocity);
+  }
+  for (std::size_t k = 0; k < obstacles.size(); ++k) {
+    ObstacleContact& contact = obstacles[k];
+    const double gap = contact.gap + step.h * (glm::dot(contact.normal, u[contact.point]) - contact.path_velocity);
+    contact.target = contact.end_velocity - std::max(0.0, gap) / step.h;
+    if (obstacle_end_[k].normal != 0.0) velocity[contact.point] += step.inverse_mass[contact.point] * begin(contact, obstacle_end_[k]);
+  }
+  sweep(step, last_h_ > 0.0 ? contact::sweeps : contact::first_sweeps, velocity);
+  remember(step);
+}
+
+}  // namespace hooke
