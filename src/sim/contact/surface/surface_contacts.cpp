@@ -52,16 +52,11 @@ ContactImpulse scaled(const ContactImpulse& impulse, double factor, const Vec3& 
 }
 Vec3 total(const ContactImpulse& impulse, const Vec3& normal) { return impulse.normal * normal + impulse.friction; }
 
-// Adds what remains positive.
-ContactImpulse sum(const ContactImpulse& a, const ContactImpulse& b) {
-  return {std::max(0.0, a.normal + b.normal), a.friction + b.friction};
-}
-ContactImpulse difference(const ContactImpulse& a, const ContactImpulse& b) { return {a.normal - b.normal, a.friction - b.friction}; }
-
 }  // namespace
 
 void SurfaceContacts::begin_frame() {
   last_.clear();
+  last_points_.clear();
   last_obstacles_.clear();
   last_h_ = 0.0;
 }
@@ -142,52 +137,56 @@ void SurfaceContacts::sweep(const Step& step, int count, std::span<Vec3> velocit
   impulses += count * static_cast<long>(surface.size());
 }
 
-// The impulses of the same contacts in the last substep. Lists of pairs, and of points on obstacles, keep their order until pairs are
-// listed anew; then they are found by their points.
+// The impulses of the same contacts in the last substep. Pairs of points, and points on obstacles, are in ascending order, and pairs of
+// features in that of their list; if that is another one, they are found by their points.
 void SurfaceContacts::recall(const Step& step) {
   const double factor = last_h_ > 0.0 ? step.h / last_h_ : 0.0;
+  const auto use = [&](auto& contact, const ContactImpulses& last, ContactImpulse& end) {
+    contact.impulse = scaled(last.path, factor, contact.normal);
+    end = scaled(last.end, factor, contact.normal);
+  };
   const auto by_points = [](const Memory& memory) { return std::pair(memory.kind, memory.points); };
-  const bool same_list = list_ == last_list_;
-  if (!same_list) std::ranges::sort(last_, {}, by_points);
+  const auto in_list = [](const auto& each) { return std::pair(each.kind, each.pair); };
+  const bool is_same_list = list_ == last_list_;
+  if (!is_same_list) std::ranges::sort(last_, {}, by_points);
   auto next = last_.begin();
+  auto next_points = last_points_.begin();
   for (std::size_t k = 0; k < surface.size(); ++k) {
     SurfaceContact& contact = surface[k];
-    if (contact.pair == no_index) continue;
-    if (same_list)
-      while (next != last_.end() && std::pair(next->kind, next->pair) < std::pair(contact.kind, contact.pair)) ++next;
+    if (contact.pair == no_index) {
+      while (next_points != last_points_.end() && next_points->points < contact.points) ++next_points;
+      if (next_points != last_points_.end() && next_points->points == contact.points) use(contact, next_points->impulses, end_[k]);
+      continue;
+    }
+    if (is_same_list)
+      while (next != last_.end() && in_list(*next) < in_list(contact)) ++next;
     else
       next = std::ranges::lower_bound(last_, std::pair(contact.kind, contact.points), {}, by_points);
-    if (next == last_.end() || next->kind != contact.kind || next->points != contact.points) continue;
-    contact.impulse = scaled(next->path, factor, contact.normal);
-    end_[k] = scaled(next->end, factor, contact.normal);
+    if (next != last_.end() && next->kind == contact.kind && next->points == contact.points) use(contact, next->impulses, end_[k]);
   }
-  auto last = last_obstacles_.begin();
+  auto next_obstacle = last_obstacles_.begin();
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     ObstacleContact& contact = obstacles[k];
     const std::pair key(contact.point, contact.obstacle);
-    while (last != last_obstacles_.end() && std::pair(last->points[0], last->pair) < key) ++last;
-    if (last == last_obstacles_.end() || std::pair(last->points[0], last->pair) != key) continue;
-    contact.impulse = scaled(last->path, factor, contact.normal);
-    obstacle_end_[k] = scaled(last->end, factor, contact.normal);
+    while (next_obstacle != last_obstacles_.end() && next_obstacle->key < key) ++next_obstacle;
+    if (next_obstacle != last_obstacles_.end() && next_obstacle->key == key) use(contact, next_obstacle->impulses, obstacle_end_[k]);
   }
 }
 
 void SurfaceContacts::remember(const Step& step) {
   last_.clear();
-  for (const SurfaceContact& contact : surface)
-    if (contact.pair != no_index && contact.impulse.normal + contact.path_impulse.normal > 0.0)
-      last_.push_back({.kind = contact.kind,
-                       .pair = contact.pair,
-                       .points = contact.points,
-                       .path = contact.path_impulse,
-                       .end = difference(contact.impulse, contact.path_impulse)});
+  last_points_.clear();
   last_obstacles_.clear();
+  const auto impulses_of = [](const auto& contact) {
+    const ContactImpulse &path = contact.path_impulse, &all = contact.impulse;
+    return ContactImpulses{path, {all.normal - path.normal, all.friction - path.friction}};
+  };
+  const auto has_any = [](const auto& contact) { return contact.impulse.normal > 0.0 || contact.path_impulse.normal > 0.0; };
+  for (const SurfaceContact& contact : surface)
+    if (has_any(contact))
+      (contact.pair == no_index ? last_points_ : last_).push_back({contact.kind, contact.pair, contact.points, impulses_of(contact)});
   for (const ObstacleContact& contact : obstacles)
-    if (contact.impulse.normal + contact.path_impulse.normal > 0.0)
-      last_obstacles_.push_back({.pair = contact.obstacle,
-                                 .points = {contact.point, 0, 0, 0},
-                                 .path = contact.path_impulse,
-                                 .end = difference(contact.impulse, contact.path_impulse)});
+    if (has_any(contact)) last_obstacles_.push_back({{contact.point, contact.obstacle}, impulses_of(contact)});
   last_list_ = list_;
   last_h_ = step.h;
 }
@@ -206,27 +205,32 @@ void SurfaceContacts::solve_paths(const Step& step, std::span<Vec3> u) {
   for (ObstacleContact& contact : obstacles) contact.path_impulse = contact.impulse;
 }
 
-// Contacts that are open at the end of the path may close in the next substep. Impulses act along the line between the features there.
+// Impulses act along the line between the features at the end of the path, where they touch there.
 void SurfaceContacts::solve_ends(const Step& step, std::span<const Vec3> u, std::span<Vec3> velocity) {
-  const auto begin = [&](auto& contact, const ContactImpulse& end) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double touching = contact::coincident * step.plan.max_thickness;
+  // sets the target, continues from the impulse of the last substep, and returns what that changes
+  const auto begin = [&](auto& contact, double gap, double target, const ContactImpulse& end) {
+    const bool touches = contact.impulse.normal > 0.0 || gap <= touching;
+    contact.target = touches ? target : -infinity;
+    if (!touches || end.normal == 0.0) return Vec3(0.0);
     const ContactImpulse before = contact.impulse;
-    contact.impulse = sum(before, end);
+    contact.impulse = {std::max(0.0, before.normal + end.normal), before.friction + end.friction};
     return (contact.impulse.normal - before.normal) * contact.normal + (contact.impulse.friction - before.friction);
   };
   for (std::size_t k = 0; k < surface.size(); ++k) {
     SurfaceContact& contact = surface[k];
     const Vec3 separation = relative(contact, step.x) + step.h * relative(contact, u);
-    const double distance = std::sqrt(glm::dot(separation, separation)), gap = distance - contact.thickness;
+    const double distance = std::sqrt(glm::dot(separation, separation));
     if (glm::dot(separation, contact.normal) > 0.0) contact.normal = separation / distance;
-    contact.target = contact.rebound > 0.0 && contact.impulse.normal > 0.0 ? contact.rebound : -std::max(0.0, gap) / step.h;
-    contact.max_push = std::numeric_limits<double>::infinity();
-    if (end_[k].normal != 0.0) apply(contact, begin(contact, end_[k]), step.inverse_mass, velocity);
+    contact.max_push = infinity;
+    const Vec3 change = begin(contact, distance - contact.thickness, contact.rebound, end_[k]);
+    if (change != Vec3(0.0)) apply(contact, change, step.inverse_mass, velocity);
   }
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     ObstacleContact& contact = obstacles[k];
     const double gap = contact.gap + step.h * (glm::dot(contact.normal, u[contact.point]) - contact.path_velocity);
-    contact.target = contact.end_velocity - std::max(0.0, gap) / step.h;
-    if (obstacle_end_[k].normal != 0.0) velocity[contact.point] += step.inverse_mass[contact.point] * begin(contact, obstacle_end_[k]);
+    velocity[contact.point] += step.inverse_mass[contact.point] * begin(contact, gap, contact.end_velocity, obstacle_end_[k]);
   }
   sweep(step, last_h_ > 0.0 ? contact::sweeps : contact::first_sweeps, velocity);
   remember(step);

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/contact/impulse.h"
@@ -79,18 +80,27 @@ class SurfaceContacts {
   long impulses = 0;  // computed, since it was set
 
  private:
+  struct ContactImpulses {
+    ContactImpulse path, end;
+  };
   struct Memory {
     FeaturePair kind = FeaturePair::PointFace;
-    Index pair = 0;
+    Index pair = no_index;
     std::array<Index, 4> points{};
-    ContactImpulse path, end;  // of an obstacle: points[0], and its number as `pair`
+    ContactImpulses impulses;
+  };
+  struct ObstacleMemory {
+    std::pair<Index, Index> key;  // point and obstacle
+    ContactImpulses impulses;
   };
   void add(const Step& step, SurfaceContact contact);
   void remember(const Step& step);
   void recall(const Step& step);
   void sweep(const Step& step, int count, std::span<Vec3> velocity);
 
-  std::vector<Memory> last_, last_obstacles_;
+  // contacts of the last substep that exerted impulses: of features, of points that touch each other, and with obstacles
+  std::vector<Memory> last_, last_points_;
+  std::vector<ObstacleMemory> last_obstacles_;
   std::vector<ContactImpulse> end_;  // per contact, of the last substep: what solve_ends starts with
   std::vector<ContactImpulse> obstacle_end_;
   long list_ = 0, last_list_ = 0;  // SurfaceDetection::list_number
