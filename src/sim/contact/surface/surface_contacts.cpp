@@ -102,7 +102,7 @@ void SurfaceContacts::add(const Step& step, SurfaceContact contact) {
   const Vec3 arm = relative(contact, step.arm);
   const double length = std::sqrt(glm::dot(arm, arm));
   constexpr double min_cosine = 0.9;
-  if (glm::dot(arm, contact.normal) > min_cosine * length) contact.normal = arm / length;
+  if (step.plan.friction == 0.0 && glm::dot(arm, contact.normal) > min_cosine * length) contact.normal = arm / length;
   double fastest = 0.0;  // [1/kg], velocity of a point per impulse
   for (int c = 0; c < 4; ++c) {
     const double change = contact.weight[c] * step.inverse_mass[contact.points[c]];
@@ -205,32 +205,55 @@ void SurfaceContacts::solve_paths(const Step& step, std::span<Vec3> u) {
   for (ObstacleContact& contact : obstacles) contact.path_impulse = contact.impulse;
 }
 
+// The contacts where their features are at the end of the paths.
+void SurfaceContacts::move(const Step& step, std::span<const Vec3> u) {
+  end_x_.resize(step.x.size());
+  for (std::size_t k = 0; k < end_x_.size(); ++k) end_x_[k] = step.x[k] + step.h * u[k];
+  for (std::size_t from = 0; from < surface.size(); from += static_cast<std::size_t>(block_.count)) {
+    const FeaturePair kind = surface[from].kind;
+    for (block_.count = 0; block_.count < FeatureBlock::capacity; ++block_.count) {
+      const std::size_t k = from + static_cast<std::size_t>(block_.count);
+      if (k == surface.size() || surface[k].kind != kind) break;
+      block_.points[block_.count] = surface[k].points;
+    }
+    find_closest(kind, end_x_, block_);
+    for (int i = 0; i < block_.count; ++i) {
+      SurfaceContact& contact = surface[from + static_cast<std::size_t>(i)];
+      const Closest closest = block_.closest(i);
+      contact.gap = closest.distance - contact.thickness;
+      if (!(closest.distance > 0.0)) continue;
+      contact.weight = closest.weight;
+      contact.normal = closest.separation / closest.distance;
+      contact.response = 0.0;
+      for (int c = 0; c < 4; ++c) contact.response += closest.weight[c] * closest.weight[c] * step.inverse_mass[contact.points[c]];
+    }
+  }
+}
+
 // Impulses act along the line between the features at the end of the path, where they touch there.
 void SurfaceContacts::solve_ends(const Step& step, std::span<const Vec3> u, std::span<Vec3> velocity) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double touching = contact::coincident * step.plan.max_thickness;
   // sets the target, continues from the impulse of the last substep, and returns what that changes
-  const auto begin = [&](auto& contact, double gap, double target, const ContactImpulse& end) {
-    const bool touches = contact.impulse.normal > 0.0 || gap <= touching;
+  const auto begin = [&](auto& contact, double gap, double response, double target, const ContactImpulse& end) {
+    const bool touches = (contact.impulse.normal > 0.0 || gap <= touching) && response > 0.0;
     contact.target = touches ? target : -infinity;
     if (!touches || end.normal == 0.0) return Vec3(0.0);
     const ContactImpulse before = contact.impulse;
     contact.impulse = {std::max(0.0, before.normal + end.normal), before.friction + end.friction};
     return (contact.impulse.normal - before.normal) * contact.normal + (contact.impulse.friction - before.friction);
   };
+  move(step, u);
   for (std::size_t k = 0; k < surface.size(); ++k) {
     SurfaceContact& contact = surface[k];
-    const Vec3 separation = relative(contact, step.x) + step.h * relative(contact, u);
-    const double distance = std::sqrt(glm::dot(separation, separation));
-    if (glm::dot(separation, contact.normal) > 0.0) contact.normal = separation / distance;
     contact.max_push = infinity;
-    const Vec3 change = begin(contact, distance - contact.thickness, contact.rebound, end_[k]);
+    const Vec3 change = begin(contact, contact.gap, contact.response, contact.rebound, end_[k]);
     if (change != Vec3(0.0)) apply(contact, change, step.inverse_mass, velocity);
   }
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     ObstacleContact& contact = obstacles[k];
     const double gap = contact.gap + step.h * (glm::dot(contact.normal, u[contact.point]) - contact.path_velocity);
-    velocity[contact.point] += step.inverse_mass[contact.point] * begin(contact, gap, contact.end_velocity, obstacle_end_[k]);
+    velocity[contact.point] += step.inverse_mass[contact.point] * begin(contact, gap, 1.0, contact.end_velocity, obstacle_end_[k]);
   }
   sweep(step, last_h_ > 0.0 ? contact::sweeps : contact::first_sweeps, velocity);
   remember(step);

@@ -96,6 +96,7 @@ class SurfaceContacts {
   void add(const Step& step, SurfaceContact contact);
   void remember(const Step& step);
   void recall(const Step& step);
+  void move(const Step& step, std::span<const Vec3> u);
   void sweep(const Step& step, int count, std::span<Vec3> velocity);
 
   // contacts of the last substep that exerted impulses: of features, of points that touch each other, and with obstacles
@@ -103,6 +104,8 @@ class SurfaceContacts {
   std::vector<ObstacleMemory> last_obstacles_;
   std::vector<ContactImpulse> end_;  // per contact, of the last substep: what solve_ends starts with
   std::vector<ContactImpulse> obstacle_end_;
+  std::vector<Vec3> end_x_;  // [m], at the end of the paths
+  FeatureBlock block_;
   long list_ = 0, last_list_ = 0;  // SurfaceDetection::list_number
   double last_h_ = 0.0;            // [s]; 0: there are none
 };
