@@ -160,28 +160,6 @@ TEST(SurfaceContact, ObeysCoulombFriction) {
   }
 }
 
-// Each corner of a triangle that lies on another carries a weight by a spring with a dashpot, which is not part of the surface. At rest,
-// the velocities at the end of a substep are those of the path: if dashpots did not transmit the impulses of contact, the weights would
-// keep half of 2 g h times h d / (2 m), 7e-4 m/s, though they do not move.
-TEST(SurfaceContact, KeepsNoVelocityInWhatRestsOnIt) {
-  TestSim sim = triangle_on_triangle({0.0, 0.01, 0.0}, Vec3(0.0), 0.5);
-  const double mass = 0.1, damping = 20.0, h = frame / 20;
-  std::array<PointId, 3> weights{};
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 place = sim.state.position[3 + i] + Vec3(0.0, 0.1, 0.0);
-    weights[i] = sim.add(place, mass);
-    sim.join(weights[i], sim.system.points()[3 + i].id, 1e3, 0.1, damping);
-    // it does not fall sideways
-    for (const Vec3& side : {Vec3(1.0, 0.0, 0.0), Vec3(-1.0, 0.0, 0.0), Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)})
-      sim.join(weights[i], sim.nail(place + side), 100.0, 1.0);
-  }
-  for (int i = 0; i < 120; ++i) sim.run(verlet(), frame, 20);
-  for (const PointId id : weights) {
-    EXPECT_NEAR(sim.position(id).y, 0.11 - mass * 9.81 / 1e3, 1e-5);
-    EXPECT_LT(std::abs(sim.velocity(id).y), 0.05 * 2.0 * 9.81 * h * h * damping / (2.0 * mass));
-  }
-}
-
 // A sheet lies on another, which lies on the floor; with dashpots all motion ends.
 TEST(SurfaceContact, LetsAPileOfSheetsComeToRest) {
   TestSim sim;
