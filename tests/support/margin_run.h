@@ -19,11 +19,10 @@ inline std::pair<Field, Field> run_with_margin(const TestSim& sim, double margin
   method.prepare(plan, h, motion, work);
   SurfaceSolver solver(margin);
   solver.begin_frame();
-  DampingWork damping;
   for (int i = 0; i < substeps; ++i) {
     const Field x = motion.x, v = motion.v;
     method.step(plan, motion, work, h);
-    solver.begin_substep(plan, method.velocity_lag, method.kicks_last, nullptr, damping, motion);
+    solver.begin_substep(plan, method.velocity_lag, nullptr, motion);
     if (solver.resolve(plan, {}, {}, x, v, h, motion)) motion.acceleration_is_current = false;
   }
   searches = solver.searches();

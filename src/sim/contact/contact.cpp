@@ -252,9 +252,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   const double contact_work = motion.contact_work;  // [J], in the frame so far
   if (before.velocity_lag != 0.0 && plan.colliders_move) follow_planes(plan, before, h, motion);
   keep_on_planes(plan, before.time + h, motion);
-  if (plan.surface.on)
-    before.surface.begin_substep(plan, before.velocity_lag, before.kicks_last, before.is_limited ? &before.unlimited_v : nullptr,
-                                 before.damping, motion);
+  if (plan.surface.on) before.surface.begin_substep(plan, before.velocity_lag, before.is_limited ? &before.unlimited_v : nullptr, motion);
   const double energy = plan.pairs.on && before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
   bool touched = plan.pairs.on && before.pairs.resolve(plan, obstacles, before.x, before.v, h, motion);
   if (touched) {

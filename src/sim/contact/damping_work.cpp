@@ -50,7 +50,6 @@ void DampingWork::begin_substep(const Plan& plan, const Motion& motion, Workspac
   std::ranges::copy(motion.v, v_.begin());
   contact_work_ = motion.contact_work;
   dashpot_work_ = motion.dashpot_work;
-  last_kick_work_ = 0.0;
   sweeps_ = &work.dashpots;
   if (plan.has_dashpots()) work.dashpots.begin_step();
 }
@@ -77,18 +76,11 @@ void DampingWork::end_point_contact(const Plan& plan, double h, Motion& motion) 
   }
 }
 
-void DampingWork::note_last_kick(const Plan& plan, const Field& kick) {
-  if (!is_measured_ || !plan.has_dashpots() || !sweeps_->has_swept()) return;
-  for (int c = 0; c < plan.dimensions; ++c)
-    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
-      last_kick_work_ += plan.mass[i] * sweeps_->last_change()[at] * kick[at];
-}
-
-// Each sweep dissipates the kinetic energy that it takes. Where contact moves points to `end`, and accelerates them before the last sweep,
-// its impulses act on what is as much faster.
+// Each sweep dissipates the kinetic energy that it takes. Where contact moves points to `end`, its impulses act on what is as
+// much faster.
 double DampingWork::work_of_sweeps(const Plan& plan, double h, const Motion* end) const {
   const Field& x = end != nullptr ? end->x : free_x_;
-  double work = last_kick_work_;
+  double work = 0.0;
   for (int c = 0; c < plan.dimensions; ++c)
     for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
       work += sweeps_->work()[at] + plan.mass[i] * sweeps_->change()[at] * (x[at] - free_x_[at]) / h;

@@ -15,8 +15,6 @@ class DampingWork {
   void end_step(const Plan& plan, const Motion& motion);
   // After contact with colliders and between points, whose work is that of the mean acceleration of the step over the path of each point.
   void end_point_contact(const Plan& plan, double h, Motion& motion);
-  // Contact of surfaces has repeated the last acceleration of the step, which changed velocities by this [m/s].
-  void note_last_kick(const Plan& plan, const Field& kick);
   // After all contact and the strain limit, which has acted if `is_limited`. Adds to motion.drag_work and motion.dashpot_work.
   void end_substep(const Plan& plan, double h, bool is_limited, Motion& motion);
 
@@ -31,7 +29,6 @@ class DampingWork {
   Field x_, v_;                            // at the start of the substep
   Field free_x_, free_v_;                  // after the step of the method
   double start_ = 0.0;                     // [s]
-  double last_kick_work_ = 0.0;            // [J]
   // [J], of the motion before the substep
   double contact_work_ = 0.0, limit_work_ = 0.0, dashpot_work_ = 0.0;
 };

@@ -79,7 +79,6 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   sticking_.begin_frame(plan, motion_);
   before_.velocity_lag = integrator_->velocity_lag;
   before_.friction_lag = integrator_->symplectic ? integrator_->velocity_lag : 0.0;
-  before_.kicks_last = integrator_->kicks_last;
   prepare_method(plan, h_);
   if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_, work_);
 }
