@@ -277,7 +277,7 @@ bool Lab::finish_frame() {
   }
   meter_frame(energy.total());
   companions_.add_frame(plan_, scene_.system, scene_.settings, scene_.state, next_);
-  const std::size_t filled = plan_.enclosures.enclosures.size();
+  const std::size_t filled = plan_.force_data.enclosures.enclosures.size();
   std::optional<Insert> torn = tear();
   if (torn) companions_.restart();
   std::swap(scene_.state, next_);
@@ -288,7 +288,7 @@ bool Lab::finish_frame() {
   if (energy.total() - ledger.net_input <= explained_fraction * ledger.scale) explained_until_ = scene_.state.time;
   ++frames_;
   if (torn) record_tear(*std::move(torn));
-  for (std::size_t left = plan_.enclosures.enclosures.size(); left < filled; ++left) gas_releases_.push_back(scene_.state.time);
+  for (std::size_t left = plan_.force_data.enclosures.enclosures.size(); left < filled; ++left) gas_releases_.push_back(scene_.state.time);
   hand_lag_ = hand_lag();
   last_limit_work_ = frame_.motion().limit_work - frame_.motion().limit_gain;
   limit_work_ += last_limit_work_;

@@ -17,11 +17,11 @@ namespace {
 constexpr double out_of_bounds = 1e6;
 
 void add(RunResult& result, const Motion& motion) {
-  result.work.force_evaluations += motion.force_evaluations;
-  result.work.factorizations += motion.factorizations;
-  result.work.solves += motion.solves;
-  result.work.sweeps += motion.sweeps;
-  result.unconverged_solves += motion.unconverged_solves;
+  result.work.force_evaluations += motion.counts.force_evaluations;
+  result.work.factorizations += motion.counts.factorizations;
+  result.work.solves += motion.counts.solves;
+  result.work.sweeps += motion.counts.sweeps;
+  result.unconverged_solves += motion.counts.unconverged_solves;
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
   const int calls_per_poll = is_adaptive(method) ? 16 : std::max(1, setting.steps / 256);
   RunResult result;
   State state = start;
-  if (!plan_.break_length.empty()) refresh_values(plan_, problem_.system);  // restores springs that broke in the previous run
+  if (!plan_.spring.break_length.empty()) refresh_values(plan_, problem_.system);  // restores springs that broke in the previous run
 
   for (int i = 0; i < frames * snapshot_count; ++i) {
     const double begin = cpu_seconds();

@@ -34,14 +34,14 @@ struct Statics {
 Statics make_statics(const System& system) {
   Statics statics{make_plan(system, Numbering::AsListed), {}};
   Plan& plan = statics.plan;
-  std::swap(statics.damping, plan.damping);
+  std::swap(statics.damping, plan.spring.damping);
   plan.drag = 0.0;
-  plan.pull.reset();
+  plan.hand.pull.reset();
   plan.forces.clear();
-  if (plan.held) {
-    const Point& point = system.points()[*plan.held];
-    plan.inverse_mass[*plan.held] = point.nailed ? 0.0 : 1.0 / point.mass;
-    plan.held.reset();
+  if (plan.hand.held) {
+    const Point& point = system.points()[*plan.hand.held];
+    plan.inverse_mass[*plan.hand.held] = point.nailed ? 0.0 : 1.0 / point.mass;
+    plan.hand.held.reset();
   }
   return statics;
 }
@@ -49,9 +49,9 @@ Statics make_statics(const System& system) {
 // The number of free points connected to a nail.
 Index count_supported(const Plan& plan) {
   DisjointSets sets(static_cast<std::size_t>(plan.points));
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e)
-      if (plan.stiffness[run.begin + e] > 0.0) sets.join(run.first + e, run.second + e);
+      if (plan.spring.stiffness[run.begin + e] > 0.0) sets.join(run.first + e, run.second + e);
   std::vector<bool> holds(plan.points, false);
   for (Index i = 0; i < plan.points; ++i)
     if (plan.inverse_mass[i] == 0.0) holds[sets.root(i)] = true;
@@ -71,14 +71,8 @@ double compute_force_scale(const Plan& plan) {
   for (Index i = 0; i < plan.points; ++i)
     if (plan.inverse_mass[i] != 0.0) sum += plan.mass[i] * plan.mass[i] * pull * pull;
   if (sum > 0.0) return std::sqrt(sum / count_free(plan));
-  for (Index s = 0; s < plan.springs; ++s) sum += std::pow(plan.stiffness[s] * plan.rest_length[s], 2);
+  for (Index s = 0; s < plan.springs; ++s) sum += std::pow(plan.spring.stiffness[s] * plan.spring.rest_length[s], 2);
   return std::sqrt(sum / plan.springs);
-}
-
-Vec3 position_in(const Plan& plan, const Field& x, Index i) {
-  Vec3 position(0.0);
-  for (int c = 0; c < plan.dimensions; ++c) position[c] = x[static_cast<std::size_t>(c) * plan.points + i];
-  return position;
 }
 
 // Whether a collider affects the equilibrium.
@@ -86,14 +80,14 @@ bool touches(const Plan& plan, const System& system, double time, const Field& x
   for (const Collider& still : plan.colliders) {
     const Collider collider = collider_at_time(still, time);
     for (Index i = 0; i < plan.points; ++i)
-      if (plan.inverse_mass[i] != 0.0 && gap_to(collider, system.points()[i].radius, position_in(plan, x, i)).distance < 0.0) return true;
+      if (plan.inverse_mass[i] != 0.0 && gap_to(collider, system.points()[i].radius, vector_at(plan, x, i)).distance < 0.0) return true;
   }
   return false;
 }
 // Whether faces or springs that touch each other do.
 bool surface_touches_itself(const Plan& plan, const Field& x) {
   std::vector<Vec3> place;
-  for (const Index i : plan.surface.points) place.push_back(position_in(plan, x, i));
+  for (const Index i : plan.surface.points) place.push_back(vector_at(plan, x, i));
   SurfaceTree tree;
   tree.build(plan.surface, place);
   std::vector<SurfacePair> pairs;
@@ -110,11 +104,11 @@ bool touches_itself(const Plan& plan, const Field& x) {
   return !PairSearch().find(plan, x, extent, pairs, PairSolver::max_pairs) || !pairs.empty();
 }
 bool is_overstretched(const Plan& plan, const System& system, const Field& x) {
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      const Spring& spring = system.springs()[plan.spring_index[run.begin + e]];
-      if (plan.stiffness[run.begin + e] == 0.0) continue;
-      const double length = glm::distance(position_in(plan, x, run.first + e), position_in(plan, x, run.second + e));
+      const Spring& spring = system.springs()[plan.spring.index[run.begin + e]];
+      if (plan.spring.stiffness[run.begin + e] == 0.0) continue;
+      const double length = glm::distance(vector_at(plan, x, run.first + e), vector_at(plan, x, run.second + e));
       if (length >= system.break_length_of(spring)) return true;
       if (system.strain_limit > 0.0 && length > spring.rest_length * (1.0 + system.strain_limit)) return true;
     }
@@ -124,7 +118,7 @@ bool is_overstretched(const Plan& plan, const System& system, const Field& x) {
 double sag_between(const Plan& plan, const Field& above, const Field& below) {
   const Vec3 down = glm::normalize(plan.gravity);
   double max = 0.0;
-  for (Index i = 0; i < plan.points; ++i) max = std::max(max, glm::dot(down, position_in(plan, below, i) - position_in(plan, above, i)));
+  for (Index i = 0; i < plan.points; ++i) max = std::max(max, glm::dot(down, vector_at(plan, below, i) - vector_at(plan, above, i)));
   return max;
 }
 
@@ -144,10 +138,10 @@ Field initial_guess(const Plan& plan, const System& system, const State& state, 
 // length.
 void snap_rest_lengths(Plan& plan, const Field& x) {
   constexpr double round_off = 1e-4;
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      double& rest_length = plan.rest_length[run.begin + e];
-      const double length = glm::distance(position_in(plan, x, run.first + e), position_in(plan, x, run.second + e));
+      double& rest_length = plan.spring.rest_length[run.begin + e];
+      const double length = glm::distance(vector_at(plan, x, run.first + e), vector_at(plan, x, run.second + e));
       if (std::abs(length - rest_length) < round_off * rest_length) rest_length = length;
     }
 }
@@ -173,7 +167,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
       return std::nullopt;
     }
     forecast.why_no_sag = plan.gravity == Vec3(0.0) ? "no weight" : "no unloaded shape found";
-    for (Index i = 0; i < plan.points; ++i) forecast.rest.push_back(position_in(plan, x, i));
+    for (Index i = 0; i < plan.points; ++i) forecast.rest.push_back(vector_at(plan, x, i));
     if (plan.gravity == Vec3(0.0)) return floppy_threshold;
     Field unloaded = x;
     Plan weightless = plan;
@@ -181,7 +175,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
     const double left = find_equilibrium(weightless, matrix, target_residual * force_scale, max_unloading_steps, unloaded, stop);
     if (left <= acceptable_residual * force_scale) {
       forecast.sag = sag_between(plan, unloaded, x);
-      for (Index i = 0; i < plan.points; ++i) forecast.unloaded.push_back(position_in(plan, unloaded, i));
+      for (Index i = 0; i < plan.points; ++i) forecast.unloaded.push_back(vector_at(plan, unloaded, i));
       forecast.why_no_sag.clear();
     }
     return floppy_threshold;
@@ -191,7 +185,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
   plan.acceleration = Vec3(0.0);
   if (!finds_equilibrium(weightless_residual, weightless_residual)) return std::nullopt;
   if (!has_weight)
-    for (Index i = 0; i < plan.points; ++i) forecast.rest.push_back(position_in(plan, x, i));
+    for (Index i = 0; i < plan.points; ++i) forecast.rest.push_back(vector_at(plan, x, i));
   snap_rest_lengths(plan, x);
   return weightless_floppy_threshold;
 }

@@ -45,11 +45,11 @@ double energy_scale(const Problem& problem, const std::vector<State>& reference)
 std::pair<int, int> convergence_orders(const Integrator& method, const Problem& problem) {
   const System& system = problem.system;
   int order = method.order;
-  if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
+  if (system.drag_rate() > 0.0) order = std::min(order, method.order_with.drag);
   if (std::any_of(system.springs().begin(), system.springs().end(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; }))
-    order = std::min(order, method.order_damped);
+    order = std::min(order, method.order_with.damped);
   const bool has_surface = system.contact.faces || system.contact.springs;
-  const int order_contact = has_surface ? std::min(method.order_contact, surface_contact_order) : method.order_contact;
+  const int order_contact = has_surface ? std::min(method.order_with.contact, surface_contact_order) : method.order_with.contact;
   return {has_contact(system) ? std::min(order, order_contact) : order, order};
 }
 

@@ -79,7 +79,7 @@ double RunMonitor::modified_difference(const Now& now) {
   const auto modified_energy = now.settings.integrator->modified_energy;
   const double h = now.settings.substep();
   // a large motion is not packed again; it is of another Plan if springs broke, and does not have the place of a held point
-  if (is_large(now.state) && now.motion != nullptr && now.motion->breaks.empty() && !now.plan.held)
+  if (is_large(now.state) && now.motion != nullptr && now.motion->breaks.empty() && !now.plan.hand.held)
     return modified_energy(now.plan, *now.motion, h);
   pack(now.plan, now.state, motion_);
   const double difference = modified_energy(now.plan, motion_, h);
@@ -123,7 +123,7 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   ++frames_;
   // of `auto`
   if (state.memory.choice) estimated_error_ += state.memory.choice->error.value_or(0.0);
-  unconverged_solves_ += motion.unconverged_solves;
+  unconverged_solves_ += motion.counts.unconverged_solves;
   note_crossings(motion.crossings, state.time - 1.0 / settings.frame_rate);
   const Now now{plan, settings, state, &motion};
   const double energy = unexplained_energy(system, state);

@@ -137,7 +137,7 @@ TEST_P(ContactAccounts, LeaveLittleToTheMethodAndLessWithMoreSubsteps) {
   if (std::getenv("HOOKE_PRINT") != nullptr)
     std::printf("%s: %.2f %% of the loss, %.2f %% with %d times the substeps\n", method().id.data(), 100.0 * coarse, 100.0 * fine,
                 refinement);
-  const bool is_of_first_order = method().order_damped == 1;
+  const bool is_of_first_order = method().order_with.damped == 1;
   EXPECT_LT(fine, is_of_first_order ? 0.05 : 1e-3);
   EXPECT_LT(fine, 0.5 * coarse);
 }

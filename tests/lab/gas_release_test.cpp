@@ -22,10 +22,10 @@ Scene weak_ball() {
 
 TEST(GasRelease, ATornSurfaceLosesItsGasAndReportsIt) {
   Lab lab(weak_ball());
-  ASSERT_EQ(lab.plan().enclosures.enclosures.size(), 1u);
+  ASSERT_EQ(lab.plan().force_data.enclosures.enclosures.size(), 1u);
   while (lab.gas_releases().empty() && lab.scene().state.time < 1.0) run(lab, 1);
   EXPECT_EQ(lab.scene().system.springs().size(), weak_ball().system.springs().size() - 1);
-  EXPECT_TRUE(lab.plan().enclosures.empty());
+  EXPECT_TRUE(lab.plan().force_data.enclosures.empty());
   const std::vector<double> times = lab.gas_releases();
   ASSERT_EQ(times.size(), 1u);
   EXPECT_EQ(times[0], lab.scene().state.time);
@@ -39,7 +39,7 @@ TEST(GasRelease, ATornSurfaceLosesItsGasAndReportsIt) {
 
   // undoing the tear closes the surface again
   submit_and_apply(lab, Undo{});
-  EXPECT_EQ(lab.plan().enclosures.enclosures.size(), 1u);
+  EXPECT_EQ(lab.plan().force_data.enclosures.enclosures.size(), 1u);
   submit_and_apply(lab, GoToStart{});
   EXPECT_TRUE(lab.gas_releases().empty());
 }

@@ -136,9 +136,10 @@ Eigen::MatrixXd hinge_matrix(const TestSim& sim) {
   const Index n = plan.points;
   Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
   for (Index i = 0; i < n; ++i)
-    for (Index e = plan.hinges.begin[i]; e < plan.hinges.begin[i + 1]; ++e)
-      k(i, plan.hinges.column[e]) = plan.forces[0].values[0] * plan.hinges.value[e] * std::sqrt(plan.inverse_mass[i]) *
-                                    std::sqrt(plan.inverse_mass[plan.hinges.column[e]]);
+    for (Index e = plan.force_data.hinges.begin[i]; e < plan.force_data.hinges.begin[i + 1]; ++e)
+      k(i, plan.force_data.hinges.column[e]) = plan.forces[0].values[0] * plan.force_data.hinges.value[e] *
+                                               std::sqrt(plan.inverse_mass[i]) *
+                                               std::sqrt(plan.inverse_mass[plan.force_data.hinges.column[e]]);
   return k;
 }
 

@@ -94,7 +94,7 @@ TEST_P(Bounce, WithASpringMeetsTheOrderDeclaredForContact) {
     }
     return std::sqrt(sum);
   };
-  expect_order(error, method().order_contact == 1 ? 400 : 100, method().order_contact, 0.1);
+  expect_order(error, method().order_with.contact == 1 ? 400 : 100, method().order_with.contact, 0.1);
 }
 
 // t1 (1 + e) / (1 - e): at rest at the end of the frame that contains this time, and not before

@@ -64,7 +64,7 @@ TEST_P(Fall, WithDragMeetsItsOrder) {
     sim.run(method(), seconds, steps);
     return glm::distance(sim.state.position[0], exact.position);
   };
-  expect_order(error, asymptotic_steps(method().order) / 4, method().order_drag);
+  expect_order(error, asymptotic_steps(method().order) / 4, method().order_with.drag);
 }
 
 TEST_P(Fall, WithDragReachesTheTerminalVelocity) {
@@ -144,7 +144,7 @@ TEST_P(SpringOnANail, FollowsTheClosedFormUndampedUnderdampedCriticallyDampedAnd
       return glm::distance(sim.position(point), (1.0 + exact.position(seconds)) * u);
     };
     SCOPED_TRACE(testing::Message() << "zeta = " << zeta);
-    expect_order(error, asymptotic_steps(method().order), zeta == 0.0 ? method().order : method().order_damped);
+    expect_order(error, asymptotic_steps(method().order), zeta == 0.0 ? method().order : method().order_with.damped);
   }
 }
 
@@ -163,7 +163,7 @@ TEST_P(SpringOnANail, FollowsTheClosedFormWithDrag) {
       return std::abs(sim.position(point).x - 1.0 - exact.position(seconds));
     };
     SCOPED_TRACE(testing::Message() << "zeta = " << zeta);
-    expect_order(error, asymptotic_steps(method().order), method().order_drag);
+    expect_order(error, asymptotic_steps(method().order), method().order_with.drag);
   }
 }
 
@@ -183,7 +183,7 @@ TEST_P(SpringOnANail, BetweenTwoFreeMassesFollowsTheReducedMass) {
     EXPECT_LT(glm::distance((m1 * sim.position(first) + m2 * sim.position(second)) / (m1 + m2), center), 1e-12);
     return std::abs(glm::distance(sim.position(first), sim.position(second)) - 1.0 - exact.position(seconds));
   };
-  expect_order(error, asymptotic_steps(method().order), method().order_damped);
+  expect_order(error, asymptotic_steps(method().order), method().order_with.damped);
 }
 
 // Mode n of N masses along x with spacing a, between two nails or with one free end, displaced by A along `direction`.

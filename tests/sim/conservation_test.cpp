@@ -176,7 +176,7 @@ TEST_P(Conservation, OfEnergyMinusDissipation) {
     EXPECT_GT(lost, 0.1 * start.kinetic);
     return std::abs(compute_energy(sim.system, sim.state).total() + lost - start.total());
   };
-  const int order = std::min({2, method().order_damped, method().order_drag});
+  const int order = std::min({2, method().order_with.damped, method().order_with.drag});
   expect_order(missing, order == 1 ? 800 : 100, order, 0.2);
 }
 

@@ -24,7 +24,7 @@ struct ConstrainedSpring {
 
 std::vector<ConstrainedSpring> constrained_springs(const Plan& plan) {
   std::vector<ConstrainedSpring> springs;
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) springs.push_back({run.begin + e, run.first + e, run.second + e});
   std::stable_sort(springs.begin(), springs.end(), [](const auto& a, const auto& b) { return a.second - a.first < b.second - b.first; });
   return springs;
@@ -67,7 +67,7 @@ Field plain_velocities_after(const Plan& plan, const Motion& motion, const std::
   const Field& x = motion.x;
   Field v = motion.v;
   for (const ConstrainedSpring& spring : order) {
-    const double k = plan.stiffness[spring.packed], d = plan.has_dashpots() ? plan.damping[spring.packed] : 0.0;
+    const double k = plan.spring.stiffness[spring.packed], d = plan.has_dashpots() ? plan.spring.damping[spring.packed] : 0.0;
     const double w1 = plan.inverse_mass[spring.first], w2 = plan.inverse_mass[spring.second];
     const double factor = phi / (1.0 + phi * (step * k + d) * (w1 + w2));
     double along[3], length_squared = 0.0, approach = 0.0;
@@ -79,7 +79,7 @@ Field plain_velocities_after(const Plan& plan, const Motion& motion, const std::
     }
     if (length_squared == 0.0) continue;
     const double length = std::sqrt(length_squared);
-    const double tension = factor * k * (length - plan.rest_length[spring.packed]) + factor * d * approach / length;
+    const double tension = factor * k * (length - plan.spring.rest_length[spring.packed]) + factor * d * approach / length;
     for (int c = 0; c < plan.dimensions; ++c) {
       v[c * plan.points + spring.first] -= w1 * (tension / length) * along[c];
       v[c * plan.points + spring.second] += w2 * (tension / length) * along[c];
@@ -98,7 +98,7 @@ Field velocities_after_sweep(const Plan& plan, const Motion& motion) {
 
 void expect_equal_on_every_target(const TestSim& sim, Index grid_columns = 0) {
   const Plan plan = make_plan(sim.system);
-  EXPECT_EQ(plan.grids.size(), grid_columns > 0 ? 1u : 0u);
+  EXPECT_EQ(plan.spring.grids.size(), grid_columns > 0 ? 1u : 0u);
   Motion motion;
   pack(plan, sim.state, motion);
   const auto order = greedy_colors(plan, grid_columns > 0 ? grid_colors(plan, grid_columns) : std::map<Index, Index>{});

@@ -69,7 +69,7 @@ TEST(Enclosures, SurfacesThatShareNoEdgeAreSeparate) {
     two.system.faces.push_back(copy);
   }
   const PackedGas packed(two);
-  ASSERT_EQ(packed.plan.enclosures.enclosures.size(), 2u);
+  ASSERT_EQ(packed.plan.force_data.enclosures.enclosures.size(), 2u);
   EXPECT_NEAR(packed.volume(0), 8.0 * packed.volume(1), 1e-12);
 }
 
@@ -88,7 +88,7 @@ TestSim wheel(int corners, bool has_spokes) {
 TEST(Enclosures, InFlatScenesTheBorderOfFacesIsALineAndSpringsInsideDoNotMatter) {
   for (const bool has_spokes : {false, true}) {
     const PackedGas packed(wheel(8, has_spokes));
-    ASSERT_EQ(packed.plan.enclosures.enclosures.size(), 1u);
+    ASSERT_EQ(packed.plan.force_data.enclosures.enclosures.size(), 1u);
     EXPECT_NEAR(packed.volume(), 4.0 * std::sin(2.0 * gas_pi / 8.0), 1e-14);
     EXPECT_EQ(packed.force()[8], 0.0) << "the hub";
   }
@@ -119,9 +119,9 @@ TEST(Enclosures, InFlatScenesHolesAreNotPartOfTheVolume) {
     sim.system.faces.push_back({{b, inner[i], inner[next]}});
   }
   const PackedGas packed(sim);
-  ASSERT_EQ(packed.plan.enclosures.enclosures.size(), 1u);
+  ASSERT_EQ(packed.plan.force_data.enclosures.enclosures.size(), 1u);
   EXPECT_NEAR(packed.volume(), 0.75 * 3.0 * std::sin(2.0 * gas_pi / n), 1e-14);
-  EXPECT_NEAR(packed.plan.enclosures.enclosures[0].full_volume, 0.75 * n * n / (4.0 * gas_pi), 1e-14);
+  EXPECT_NEAR(packed.plan.force_data.enclosures.enclosures[0].full_volume, 0.75 * n * n / (4.0 * gas_pi), 1e-14);
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST(SpringForces, HaveTheSameBitsOnEveryVectorTarget) {
 void add_plain_forces(const Packed& packed, Field& f) {
   const Plan& plan = packed.plan;
   const Field &x = packed.motion.x, &v = packed.motion.v;
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (int c = 0; c < plan.dimensions; ++c) {
       std::vector<double> term;
       for (Index e = 0; e < run.count; ++e) {
@@ -135,8 +135,8 @@ void add_plain_forces(const Packed& packed, Field& f) {
         }
         const Index spring = run.begin + e, at = c * plan.points + e;
         const double length = std::sqrt(length_squared);
-        double tension = plan.stiffness[spring] * (length - plan.rest_length[spring]);
-        if (plan.has_dashpots()) tension += plan.damping[spring] * approach / length;
+        double tension = plan.spring.stiffness[spring] * (length - plan.spring.rest_length[spring]);
+        if (plan.has_dashpots()) tension += plan.spring.damping[spring] * approach / length;
         term.push_back((length == 0.0 ? 0.0 : tension / length) * (x[at + run.first] - x[at + run.second]));
       }
       double* first = &f[c * plan.points + run.first];
@@ -210,8 +210,8 @@ TEST(SpringForces, EqualAPlainLoopOverAnyGraphBitForBitOnEveryVectorTarget) {
     hwy::GetChosenTarget().DeInit();
     for (const TestSim& sim : sims) {
       Packed packed(sim);
-      packed.plan.grids.clear();  // grid_test.cpp has theirs
-      packed.plan.loose_runs = packed.plan.runs;
+      packed.plan.spring.grids.clear();  // grid_test.cpp has theirs
+      packed.plan.spring.loose_runs = packed.plan.spring.runs;
       Field f(packed.motion.x.size(), -0.0), plain = f;
       add_spring_forces(packed.plan, packed.motion.x.data(), packed.plan.has_dashpots() ? packed.motion.v.data() : nullptr, f.data());
       add_plain_forces(packed, plain);

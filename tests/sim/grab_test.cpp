@@ -172,7 +172,7 @@ TEST_P(Grabbed, AScriptedHandHoldsBitForBitLikeAMouse) {
     if (i >= 2 && i < 7) by_hand.grab(GrabKind::Hold, position_at(circling(by_hand), (i + 1) * frame_time));
     by_hand.sim.run(method(), frame_time, 5);
 
-    EXPECT_EQ(plan.held.has_value(), i >= 2 && i < 7) << "frame " << i;
+    EXPECT_EQ(plan.hand.held.has_value(), i >= 2 && i < 7) << "frame " << i;
     for (Index p = 0; p < 2; ++p) EXPECT_LT(glm::distance(state.position[p], by_hand.sim.state.position[p]), 1e-13) << "frame " << i;
     EXPECT_NEAR(state.ledger.net_input, by_hand.sim.state.ledger.net_input, 1e-9) << "frame " << i;
   }

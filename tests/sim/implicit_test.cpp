@@ -36,7 +36,7 @@ struct FramewiseRun {
       while (!frame.done()) frame.substep(plan);
       frame.end(plan, state);
       local_error += frame.motion().local_error;
-      unconverged += frame.motion().unconverged_solves;
+      unconverged += frame.motion().counts.unconverged_solves;
     }
   }
 };
@@ -93,7 +93,7 @@ TEST(Newton, ConvergesOnCrumpledSheetsOfAnyStiffness) {
       Field V = motion.v;
       newton.solve(plan, {1.0 / 60.0, 1.0 / 60.0, motion.x, motion.v}, {.tolerance = 1e-10, .iterations = 400, .factorizations = 400}, V,
                    motion);
-      EXPECT_EQ(motion.unconverged_solves, 0) << "k h^2 / m = " << stiffness << ", seed " << seed;
+      EXPECT_EQ(motion.counts.unconverged_solves, 0) << "k h^2 / m = " << stiffness << ", seed " << seed;
     }
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <glm/geometric.hpp>
@@ -63,18 +64,18 @@ INSTANTIATE_TEST_SUITE_P(Methods, Row, testing::ValuesIn(every_method()), method
 // net W2 of the accuracy tables: 16 x 16 points, k = 100 N/m, swinging under tension
 TEST_P(Row, MeetsItsOrder) { expect_measured(net(16, 1e2, 0.0), method().order); }
 
-TEST_P(Row, MeetsItsOrderWithDashpots) { expect_measured(net(16, 1e2, 0.03), method().order_damped); }
+TEST_P(Row, MeetsItsOrderWithDashpots) { expect_measured(net(16, 1e2, 0.03), method().order_with.damped); }
 
 TEST_P(Row, MeetsItsOrderWithDrag) {
   TestSim sim = net(16, 1e2, 0.0);
   sim.system.drag = 3.0;
-  expect_measured(sim, method().order_drag);
+  expect_measured(sim, method().order_with.drag);
 }
 
 TEST_P(Row, MeetsItsOrderWithDashpotsAndDrag) {
   TestSim sim = net(16, 1e2, 0.03);
   sim.system.drag = 3.0;
-  expect_measured(sim, std::min(method().order_damped, method().order_drag));
+  expect_measured(sim, std::min(method().order_with.damped, method().order_with.drag));
 }
 
 // The net with wind on its points and a pull on its center of mass.
@@ -85,7 +86,7 @@ TestSim windy_net() {
   return sim;
 }
 
-TEST_P(Row, MeetsItsOrderWithWind) { expect_measured(windy_net(), method().order_force_terms, refinement()); }
+TEST_P(Row, MeetsItsOrderWithWind) { expect_measured(windy_net(), method().order_with.force_terms, refinement()); }
 
 TEST_P(Row, MeetsItsOrderWithAPullOnTheCenterOfMass) {
   TestSim sim = net(16, 1e2, 0.0);
@@ -94,14 +95,14 @@ TEST_P(Row, MeetsItsOrderWithAPullOnTheCenterOfMass) {
   for (Index i = 16; i < sim.system.point_count(); ++i)
     center += sim.state.position[i] / static_cast<double>(sim.system.point_count() - 16);
   sim.system.forces = {{.term = &mass_center_force, .values = {center.x, center.y, center.z - 0.02, 4.0, 6.0}}};
-  expect_measured(sim, method().order_force_terms, refinement());
+  expect_measured(sim, method().order_with.force_terms, refinement());
 }
 
 TEST_P(Row, MeetsItsOrderWithWindAndDashpots) {
   TestSim sim = windy_net();
   for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->damping = 0.03;
   sim.system.drag = 1.0;
-  expect_measured(sim, std::min({method().order_force_terms, method().order_damped, method().order_drag}), refinement());
+  expect_measured(sim, std::min({method().order_with.force_terms, method().order_with.damped, method().order_with.drag}), refinement());
 }
 
 // Two masses connected by a spring fall onto a floor without restitution, stop falling, and slide on it under friction while the spring
@@ -190,33 +191,44 @@ double order_after_impact(const Integrator& method, TestSim (*make)()) {
   return std::log2(error_at(200) / error_at(1600)) / 3.0;
 }
 
-TEST_P(Row, MeetsItsOrderUnderFriction) { EXPECT_NEAR(order_after_impact(method(), sliding_pair), method().order_friction, 0.2); }
+TEST_P(Row, MeetsItsOrderUnderFriction) { EXPECT_NEAR(order_after_impact(method(), sliding_pair), method().order_with.friction, 0.2); }
 
 TEST_P(Row, MeetsItsOrderUnderFrictionOnASphere) {
-  EXPECT_NEAR(order_after_impact(method(), sliding_pair_on_sphere), method().order_friction, 0.2);
+  EXPECT_NEAR(order_after_impact(method(), sliding_pair_on_sphere), method().order_with.friction, 0.2);
 }
 
 TEST_P(Row, MeetsItsOrderWhereItLeavesABall) {
   // the error of the slide and that of the time of leaving cancel in part
-  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_ball), method().order_contact, 0.3);
-  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_rough_ball), method().order_friction, 0.2);
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_ball), method().order_with.contact, 0.3);
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_rough_ball), method().order_with.friction, 0.2);
 }
 
 TEST_P(Row, MeetsItsOrderSlidingOnABall) {
-  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_nailed_ball), method().order_contact, 0.2);
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_nailed_ball), method().order_with.contact, 0.2);
 }
 
 TEST_P(Row, MeetsItsOrderWhereItLeavesAFloor) {
-  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_floor), method().order_contact, 0.2);
+  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_floor), method().order_with.contact, 0.2);
 }
 
-TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) { EXPECT_NEAR(order_after_impact(method(), falling_pair), method().order_contact, 0.2); }
+TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) {
+  EXPECT_NEAR(order_after_impact(method(), falling_pair), method().order_with.contact, 0.2);
+}
 
-// The larger modulus of the eigenvalues of one step, which is the growth factor of a mode.
+// The largest modulus of the eigenvalues of one step, which is the growth factor of a mode: of the roots of a cubic by simultaneous
+// iteration (K. Weierstrass, E. Durand, I. O. Kerner).
 double growth(const Integrator& method, const Oscillator& oscillator) {
-  const auto [trace, determinant] = method.amplification(oscillator);
+  const auto [trace, determinant, third] = method.amplification(oscillator);
   const double discriminant = 0.25 * trace * trace - determinant;
-  return discriminant < 0.0 ? std::sqrt(determinant) : 0.5 * std::abs(trace) + std::sqrt(discriminant);
+  if (third == 0.0) return discriminant < 0.0 ? std::sqrt(determinant) : 0.5 * std::abs(trace) + std::sqrt(discriminant);
+  using Complex = std::complex<double>;
+  std::array<Complex, 3> root{Complex(1.0, 0.0), Complex(0.4, 0.9), Complex(-0.65, 0.72)};
+  for (int iteration = 0; iteration < 60; ++iteration)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Complex z = root[i], value = ((z - trace) * z + determinant) * z - third;
+      root[i] = z - value / ((z - root[(i + 1) % 3]) * (z - root[(i + 2) % 3]));
+    }
+  return std::max({std::abs(root[0]), std::abs(root[1]), std::abs(root[2])});
 }
 
 // x'' = -w^2 x - lambda x' - c x', a spring without rest length attached to a nail: growth of (x, v / w) over `count` steps.
@@ -256,7 +268,9 @@ TEST_P(Row, IsStableUpToItsLimitAndNotBeyond) {
       for (double h = beyond; h < 1.02 * std::max(limit, 1e-3); h *= 1.0001)
         if (growth_at(h) > growth_at(beyond)) beyond = h;
       const int count = std::min(20000, static_cast<int>(std::log(1e6) / std::log(growth_at(beyond))) + 1);
-      EXPECT_GT(growth_after(method(), omega, lambda, drag, beyond, count), 0.01 * std::pow(growth_at(beyond), count)) << count << " steps";
+      // the start contains less of a mode of which the acceleration of the step before is a part
+      const double part = method().amplification({.h_lambda = 1.0}).third == 0.0 ? 0.01 : 1e-4;
+      EXPECT_GT(growth_after(method(), omega, lambda, drag, beyond, count), part * std::pow(growth_at(beyond), count)) << count << " steps";
     }
 }
 
@@ -264,15 +278,17 @@ TEST_P(Row, IsStableUpToItsLimitAndNotBeyond) {
 // Runge-Kutta methods at z = i theta
 TEST(Amplification, OfAnUndampedModeMatchesTheTextbook) {
   const auto expect_eigenvalue = [](std::string_view id, double theta, std::complex<double> expected) {
-    const auto [trace, determinant] = find_integrator(id)->amplification({.h_omega_squared = theta * theta});
+    const auto [trace, determinant, third] = find_integrator(id)->amplification({.h_omega_squared = theta * theta});
     EXPECT_NEAR(trace, 2.0 * expected.real(), 1e-12 * std::max(1.0, std::abs(trace))) << id << ", h w = " << theta;
     EXPECT_NEAR(determinant, std::norm(expected), 1e-12 * std::max(1.0, determinant)) << id << ", h w = " << theta;
+    EXPECT_EQ(third, 0.0) << id;
   };
   for (const double theta : {0.01, 0.3, 1.0, 1.9}) {
     const std::complex<double> z(0.0, theta), turned = std::polar(1.0, std::acos(1.0 - 0.5 * theta * theta));
     expect_eigenvalue("explicit_euler", theta, std::polar(std::sqrt(1.0 + theta * theta), std::atan(theta)));
     expect_eigenvalue("symplectic_euler", theta, turned);
     expect_eigenvalue("velocity_verlet", theta, turned);
+    expect_eigenvalue("velocity_verlet_explicit", theta, turned);
     expect_eigenvalue("runge_kutta4", theta, 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
     for (const char* id : {"implicit_euler", "baraff_witkin", "xpbd"})
       expect_eigenvalue(id, theta, std::polar(1.0 / std::sqrt(1.0 + theta * theta), std::atan(theta)));
@@ -288,7 +304,7 @@ TEST(Amplification, OfAnUndampedModeMatchesTheTextbook) {
   for (const auto& [id, order] : {std::pair("blanes_moan4", 4), {"esdirk4", 4}, {"dop853", 8}}) {
     const Integrator& method = *find_integrator(id);
     const auto off = [&method](double theta) {
-      const auto [trace, determinant] = method.amplification({.h_omega_squared = theta * theta});
+      const auto [trace, determinant, third] = method.amplification({.h_omega_squared = theta * theta});
       return std::abs(std::complex<double>(0.5 * trace, std::sqrt(determinant - 0.25 * trace * trace)) - std::polar(1.0, theta));
     };
     const double theta = order == 4 ? 0.05 : 0.4;

@@ -294,7 +294,7 @@ TEST_P(PairContactOf, MeetsTheOrderDeclaredForContact) {
     }
     return std::sqrt(sum);
   };
-  expect_order(error, method().order_contact == 1 ? 400 : 100, method().order_contact, 0.1);
+  expect_order(error, method().order_with.contact == 1 ? 400 : 100, method().order_with.contact, 0.1);
 }
 
 TEST(PairContactOfPoints, LeavesOverlapsAloneUntilTheySeparate) {

@@ -32,8 +32,8 @@ TestSim grid(int n) {
 // The spring of the System that each packed spring refers to, with the ends given by its run.
 std::set<std::tuple<Index, Index, Index>> packed_springs(const Plan& plan) {
   std::set<std::tuple<Index, Index, Index>> springs;
-  for (const SpringRun& run : plan.runs)
-    for (Index e = 0; e < run.count; ++e) springs.emplace(plan.spring_index[run.begin + e], run.first + e, run.second + e);
+  for (const SpringRun& run : plan.spring.runs)
+    for (Index e = 0; e < run.count; ++e) springs.emplace(plan.spring.index[run.begin + e], run.first + e, run.second + e);
   return springs;
 }
 
@@ -51,7 +51,7 @@ TEST(Plan, ContainsEverySpringOfAnyGraphOnce) {
     const Index points = 2 + static_cast<Index>(seed);
     const System system = random_sim(seed, points, 3 * points).system;
     const Plan plan = make_plan(system);
-    EXPECT_EQ(plan.spring_index.size(), system.springs().size());
+    EXPECT_EQ(plan.spring.index.size(), system.springs().size());
     EXPECT_EQ(packed_springs(plan), system_springs(system)) << "seed " << seed;
   }
   const System cloth = grid(9).system;
@@ -61,7 +61,7 @@ TEST(Plan, ContainsEverySpringOfAnyGraphOnce) {
 TEST(Plan, StoresRunsContiguously) {
   const Plan plan = make_plan(grid(9).system);
   Index begin = 0;
-  for (const SpringRun& run : plan.runs) {
+  for (const SpringRun& run : plan.spring.runs) {
     EXPECT_EQ(run.begin, begin);
     EXPECT_GT(run.count, 0);
     EXPECT_GE(run.first, 0);
@@ -74,7 +74,7 @@ TEST(Plan, StoresRunsContiguously) {
 // springs along a row in one direction have consecutive ends
 TEST(Plan, RecognizesTheRowsOfAGrid) {
   const Plan plan = make_plan(grid(32).system);
-  EXPECT_LE(plan.runs.size(), 4 * 32);
+  EXPECT_LE(plan.spring.runs.size(), 4 * 32);
 }
 
 TEST(Plan, StoresTheValuesOfEachSpring) {
@@ -82,10 +82,10 @@ TEST(Plan, StoresTheValuesOfEachSpring) {
   Plan plan = make_plan(sim.system);
   const auto expect_values = [&] {
     for (Index s = 0; s < plan.springs; ++s) {
-      const Spring& spring = sim.system.springs()[plan.spring_index[s]];
-      EXPECT_EQ(plan.stiffness[s], spring.stiffness);
-      EXPECT_EQ(plan.rest_length[s], spring.rest_length);
-      EXPECT_EQ(plan.damping[s], spring.damping);
+      const Spring& spring = sim.system.springs()[plan.spring.index[s]];
+      EXPECT_EQ(plan.spring.stiffness[s], spring.stiffness);
+      EXPECT_EQ(plan.spring.rest_length[s], spring.rest_length);
+      EXPECT_EQ(plan.spring.damping[s], spring.damping);
     }
   };
   expect_values();
@@ -117,7 +117,7 @@ TEST(Plan, ContainsOnlyWhatTheSceneNeeds) {
 
 TEST(Plan, OfAnEmptySceneIsEmpty) {
   const Plan plan = make_plan(System{});
-  EXPECT_TRUE(plan.runs.empty());
+  EXPECT_TRUE(plan.spring.runs.empty());
   EXPECT_EQ(plan.spectrum.omega, 0.0);
   EXPECT_EQ(plan.spectrum.dashpot_rate, 0.0);
 }

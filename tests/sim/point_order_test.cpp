@@ -63,14 +63,15 @@ TestSim make_net_of_cells(const NetOfCells& net) {
 // [1], of the springs.
 double part_in_grids(const Plan& plan) {
   std::size_t count = 0;
-  for (const Grid& grid : plan.grids)
+  for (const Grid& grid : plan.spring.grids)
     for (const std::vector<Index>& spring : grid.spring)
       count += spring.size() - static_cast<std::size_t>(std::ranges::count(spring, no_index));
   return static_cast<double>(count) / plan.springs;
 }
 
 bool is_permutation_of_points(const Plan& plan) {
-  if (plan.point_index.size() != static_cast<std::size_t>(plan.points) || plan.point_number.size() != plan.point_index.size()) return false;
+  if (plan.numbering.index.size() != static_cast<std::size_t>(plan.points) || plan.numbering.number.size() != plan.numbering.index.size())
+    return false;
   for (Index i = 0; i < plan.points; ++i)
     if (plan.number_of(plan.listed_index(i)) != i) return false;
   return true;
@@ -83,10 +84,11 @@ TEST(PointOrder, MakesOneGridOfAShuffledNet) {
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
           const NetOfCells net{.rows = rows, .columns = columns, .diagonals = diagonals, .has_families = families};
           const Plan plan = make_plan(shuffled(make_net_of_cells(net), seed).system);
-          ASSERT_EQ(plan.grids.size(), 1u) << rows << " x " << columns << ", diagonals " << static_cast<int>(diagonals) << ", " << seed;
+          ASSERT_EQ(plan.spring.grids.size(), 1u)
+              << rows << " x " << columns << ", diagonals " << static_cast<int>(diagonals) << ", " << seed;
           EXPECT_TRUE(is_permutation_of_points(plan));
-          EXPECT_EQ(plan.grids[0].columns, std::max(rows, columns));
-          EXPECT_EQ(plan.grids[0].rows, std::min(rows, columns));
+          EXPECT_EQ(plan.spring.grids[0].columns, std::max(rows, columns));
+          EXPECT_EQ(plan.spring.grids[0].rows, std::min(rows, columns));
           EXPECT_EQ(part_in_grids(plan), 1.0);
         }
 }
@@ -100,10 +102,10 @@ TEST(PointOrder, FollowsTheThreadsOfAClothWhateverItsDiagonals) {
 TEST(PointOrder, LeavesOnlyBendSpringsOutsideOfTheGrid) {
   const NetOfCells net{.has_families = true, .has_bend_springs = true};
   const Plan plan = make_plan(shuffled(make_net_of_cells(net)).system);
-  EXPECT_EQ(plan.grids.size(), 1u);
+  EXPECT_EQ(plan.spring.grids.size(), 1u);
   const auto bends = std::ranges::count(make_net_of_cells(net).system.springs(), SpringFamily::Bend, &Spring::family);
   EXPECT_EQ(plan.springs - std::lround(part_in_grids(plan) * plan.springs), bends);
-  EXPECT_LT(plan.loose_runs.size(), static_cast<std::size_t>(bends / 10));
+  EXPECT_LT(plan.spring.loose_runs.size(), static_cast<std::size_t>(bends / 10));
 }
 
 TEST(PointOrder, FindsSeveralNetsBesideOtherThings) {
@@ -116,7 +118,7 @@ TEST(PointOrder, FindsSeveralNetsBesideOtherThings) {
   for (Index i = 0; i < 30; ++i) sim.join(hub, sim.system.points()[sim.system.point_count() - 2 - i].id, 1.0, 1.0);
   const Plan plan = make_plan(shuffled(sim).system);
   EXPECT_TRUE(is_permutation_of_points(plan));
-  EXPECT_EQ(plan.grids.size(), 3u);
+  EXPECT_EQ(plan.spring.grids.size(), 3u);
   EXPECT_EQ(std::lround(part_in_grids(plan) * plan.springs), plan.springs - 30);
 }
 
@@ -129,7 +131,7 @@ TEST(PointOrder, FindsMostOfNetsWithMissingSprings) {
 
 TEST(PointOrder, FindsTheGridOfATubeExceptItsSeam) {
   const Plan plan = make_plan(shuffled(make_net_of_cells({.diagonals = ClothDiagonals::None, .is_tube = true})).system);
-  EXPECT_EQ(plan.grids.size(), 1u);
+  EXPECT_EQ(plan.spring.grids.size(), 1u);
   EXPECT_GT(part_in_grids(plan), 0.95);
 }
 
@@ -148,13 +150,13 @@ TEST(PointOrder, MakesGridsOfShuffledRopes) {
 
 TEST(PointOrder, IsThatOfTheSystemIfItHasGridsOrIsSmall) {
   for (const ClothDiagonals diagonals : {ClothDiagonals::None, ClothDiagonals::Down, ClothDiagonals::Both, ClothDiagonals::Alternating})
-    EXPECT_TRUE(make_plan(make_net_of_cells({.diagonals = diagonals, .missing = 30}).system).point_index.empty());
+    EXPECT_TRUE(make_plan(make_net_of_cells({.diagonals = diagonals, .missing = 30}).system).numbering.index.empty());
   const TestSim small = make_net_of_cells({.rows = 7, .columns = 10});
   ASSERT_LT(small.system.spring_count(), min_springs_of_grids);
-  EXPECT_TRUE(make_plan(shuffled(small).system).point_index.empty());
+  EXPECT_TRUE(make_plan(shuffled(small).system).numbering.index.empty());
   const System net = shuffled(make_net_of_cells({})).system;
-  EXPECT_FALSE(make_plan(net).point_index.empty());
-  EXPECT_TRUE(make_plan(net, Numbering::AsListed).point_index.empty());
+  EXPECT_FALSE(make_plan(net).numbering.index.empty());
+  EXPECT_TRUE(make_plan(net, Numbering::AsListed).numbering.index.empty());
 }
 
 TEST(PointOrder, ContainsEveryPointOfHostileGraphsOnce) {
@@ -170,14 +172,14 @@ TEST(PointOrder, ContainsEveryPointOfHostileGraphsOnce) {
     const TestSim mixed = shuffled(sim, seed);
     const std::vector<EdgeEnds> ends = spring_ends(mixed.system);
     const Plan plan = make_plan(mixed.system);
-    if (!plan.point_index.empty()) {
+    if (!plan.numbering.index.empty()) {
       EXPECT_TRUE(is_permutation_of_points(plan)) << seed;
     }
-    std::multiset<Index> packed(plan.spring_index.begin(), plan.spring_index.end());
+    std::multiset<Index> packed(plan.spring.index.begin(), plan.spring.index.end());
     EXPECT_EQ(packed.size(), mixed.system.springs().size());
-    for (const SpringRun& run : plan.runs)
+    for (const SpringRun& run : plan.spring.runs)
       for (Index e = 0; e < run.count; ++e) {
-        const auto& [i, j] = ends[plan.spring_index[run.begin + e]];
+        const auto& [i, j] = ends[plan.spring.index[run.begin + e]];
         EXPECT_EQ(edge_ends(plan.listed_index(run.first + e), plan.listed_index(run.second + e)), edge_ends(i, j));
       }
   }
@@ -211,8 +213,8 @@ TEST(PointOrder, BringsTheEndsOfSpringsCloseInABlock) {
   for (std::size_t i = 0; i < order.size(); ++i) number[order[i]] = static_cast<Index>(i);
   // levels of the search are diagonal planes of the block, of up to 3/4 n^2 points
   EXPECT_LT(measure_order(block.point_count(), ends, number).distance, 0.75 * n * n);
-  EXPECT_EQ(make_plan(block).point_index, order);
-  EXPECT_TRUE(make_plan(lattice_block(n).system).point_index.empty());
+  EXPECT_EQ(make_plan(block).numbering.index, order);
+  EXPECT_TRUE(make_plan(lattice_block(n).system).numbering.index.empty());
 }
 
 }  // namespace

@@ -88,8 +88,8 @@ TEST(Pressure, TheMatrixOfImplicitMethodsIsTheDerivativeOfTheForce) {
         minus[at] -= step * u[at];
       }
       Field product(u.size(), 0.0);
-      for (std::size_t e = 0; e < plan.enclosures.edges.size(); ++e) {
-        const auto& [i, j] = plan.enclosures.edges[e];
+      for (std::size_t e = 0; e < plan.force_data.enclosures.edges.size(); ++e) {
+        const auto& [i, j] = plan.force_data.enclosures.edges[e];
         const Vec3 w = tangent.volume_curvature(e), first = glm::cross(w, vector_at(plan, u, j)),
                    second = -glm::cross(w, vector_at(plan, u, i));
         for (int c = 0; c < plan.dimensions; ++c) {
@@ -158,7 +158,7 @@ TEST(Pressure, OtherwiseTheEstimateHoldsForSurfacesThatAreNotStretched) {
       // the part that implicit methods may leave out, of a gas without the other part
       TestSim constant = sim;
       constant.system.forces[0].values[1] = 0.0;
-      constant.system.forces[0].values[0] *= PackedGas(sim).plan.enclosures.enclosures[0].full_volume / PackedGas(sim).volume();
+      constant.system.forces[0].values[0] *= PackedGas(sim).plan.force_data.enclosures.enclosures[0].full_volume / PackedGas(sim).volume();
       EXPECT_GE(bound.omitted_stiffness, largest_stiffness(constant) * (gas.exponent == 1.0 && gas.ambient == 0.0 ? 1.0 : 0.0)) << seed;
     }
 }
@@ -178,7 +178,7 @@ TEST(Pressure, WithoutAClosedSurfaceThereIsNoForceAndTheStiffnessIsBounded) {
 double pressure_of(const PackedGas& packed, double time = 0.0) {
   const Field f = packed.force(time);
   Field gradient(f.size(), 0.0);
-  add_volume_gradient(packed.plan, packed.plan.enclosures.enclosures[0], 1.0, packed.motion.x.data(), gradient.data());
+  add_volume_gradient(packed.plan, packed.plan.force_data.enclosures.enclosures[0], 1.0, packed.motion.x.data(), gradient.data());
   return length_of(f) / length_of(gradient);
 }
 
@@ -188,14 +188,14 @@ TEST(Pressure, FollowsThePolytropicLaw) {
       TestSim sim = gas_ball(1, 50.0, {.pressure = 200.0, .exponent = exponent});
       for (Vec3& x : sim.state.position) x *= scale;
       const PackedGas packed(sim);
-      const double ratio = packed.volume() / packed.plan.enclosures.enclosures[0].full_volume;
+      const double ratio = packed.volume() / packed.plan.force_data.enclosures.enclosures[0].full_volume;
       EXPECT_NEAR(pressure_of(packed), 200.0 * std::pow(ratio, -exponent), 1e-11) << exponent << ' ' << scale;
     }
 }
 
 TEST(Pressure, ActsAgainstTheAmbientPressure) {
   TestSim sim = gas_ring(12, 50.0, {.pressure = 200.0, .ambient = 1e5});
-  const double full = PackedGas(sim).plan.enclosures.enclosures[0].full_volume;
+  const double full = PackedGas(sim).plan.force_data.enclosures.enclosures[0].full_volume;
   for (const double ratio : {0.8, 1.0, 1.001}) {
     TestSim scaled = sim;
     for (Vec3& x : scaled.state.position) x *= std::sqrt(ratio * full / PackedGas(sim).volume());
@@ -238,7 +238,7 @@ TEST(Pressure, ALeakThatIsChangedBeforeItsStartStartsThen) {
 
 TEST(Pressure, ALeakEndsAtTheAmbientPressureInTheFullVolume) {
   TestSim sim = gas_ring(12, 50.0, {.pressure = 200.0, .ambient = 1e3, .leak = 1.0});
-  const double scale = std::sqrt(PackedGas(sim).plan.enclosures.enclosures[0].full_volume / PackedGas(sim).volume());
+  const double scale = std::sqrt(PackedGas(sim).plan.force_data.enclosures.enclosures[0].full_volume / PackedGas(sim).volume());
   for (Vec3& x : sim.state.position) x *= scale;
   EXPECT_NEAR(pressure_of(PackedGas(sim), 100.0), 0.0, 1e-10);
 }
@@ -302,7 +302,7 @@ TEST(Pressure, AnIcosahedronHasTheRadiusOfItsClosedForm) {
   for (const GasOptions& gas : {GasOptions{}, {.pressure = 40.0, .exponent = 0.0}, {.exponent = 1.4, .ambient = 1e3}}) {
     TestSim sim = gas_ball(0, 60.0, gas);
     const double l0 = sim.system.springs()[0].rest_length, shape = 5.0 / 12.0 * (3.0 + std::sqrt(5.0));
-    const double full = PackedGas(sim).plan.enclosures.enclosures[0].full_volume;
+    const double full = PackedGas(sim).plan.force_data.enclosures.enclosures[0].full_volume;
     settle(sim);
     const double edge = root_of(
         [&](double l) {

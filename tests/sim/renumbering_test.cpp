@@ -57,7 +57,7 @@ struct OrderedRun {
 
 OrderedRun run_in(Numbering numbering, const TestSim& sim, const Settings& settings, int frames = 3, int threads = 1) {
   Plan plan = make_plan(sim.system, numbering);
-  EXPECT_EQ(plan.point_index.empty(), numbering == Numbering::AsListed);
+  EXPECT_EQ(plan.numbering.index.empty(), numbering == Numbering::AsListed);
   if (threads > 1) plan.execution.team = std::make_shared<ThreadTeam>(threads, WhenLate::Wait);
   FrameRunner frame;
   OrderedRun run{.state = sim.state};
@@ -219,10 +219,10 @@ TEST(Renumbering, OutlivesChangesOfValues) {
   for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->stiffness *= 1.0 + 0.001 * s;
   refresh_values(plan, sim.system);
   const Plan made = make_plan(sim.system);
-  EXPECT_EQ(plan.point_index, made.point_index);
+  EXPECT_EQ(plan.numbering.index, made.numbering.index);
   EXPECT_EQ(plan.inverse_mass, made.inverse_mass);
   EXPECT_EQ(plan.mass, made.mass);
-  EXPECT_EQ(plan.stiffness, made.stiffness);
+  EXPECT_EQ(plan.spring.stiffness, made.spring.stiffness);
 }
 
 }  // namespace

@@ -174,8 +174,8 @@ TEST(RestAngle, ImplicitMethodsTakeTheExactDerivatives) {
         return f;
       };
       const Field above = force_at(step), below = force_at(-step);
-      for (Index k = plan.hinges.begin[j]; k < plan.hinges.begin[j + 1]; ++k) {
-        const auto i = static_cast<std::size_t>(plan.hinges.column[static_cast<std::size_t>(k)]);
+      for (Index k = plan.force_data.hinges.begin[j]; k < plan.force_data.hinges.begin[j + 1]; ++k) {
+        const auto i = static_cast<std::size_t>(plan.force_data.hinges.column[static_cast<std::size_t>(k)]);
         if (i < j) continue;
         const glm::dmat3 block = tangent.hinge_block(k, 1.0, true);
         for (std::size_t r = 0; r < 3; ++r) {

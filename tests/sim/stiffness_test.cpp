@@ -36,7 +36,7 @@ Field residual(const Plan& plan, const Field& x, const Field& V) {
 void expect_derivative(const TestSim& sim) {
   Plan plan = make_plan(sim.system);
   Motion motion = packed(plan, sim);
-  if (plan.pull) plan.pull->from = sim.state.hand.position;
+  if (plan.hand.pull) plan.hand.pull->from = sim.state.hand.position;
   Field V(motion.x.size(), 0.0);
   StiffnessMatrix matrix(plan);
   matrix.assemble(plan, b, motion.x, V, Curvature::Exact);

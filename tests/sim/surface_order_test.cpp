@@ -70,11 +70,11 @@ INSTANTIATE_TEST_SUITE_P(Methods, SurfaceOrder, testing::ValuesIn(every_method()
 
 TEST_P(SurfaceOrder, OfRopesIsThatDeclared) {
   for (const auto make : {slippery_ropes, rough_ropes})
-    EXPECT_NEAR(order_in_contact(method(), make), std::min(method().order_contact, surface_contact_order), 0.2);
+    EXPECT_NEAR(order_in_contact(method(), make), std::min(method().order_with.contact, surface_contact_order), 0.2);
 }
 
 TEST_P(SurfaceOrder, OfFacesIsThatDeclared) {
-  EXPECT_NEAR(order_in_contact(method(), faces_in_flight), std::min(method().order_contact, surface_contact_order), 0.2);
+  EXPECT_NEAR(order_in_contact(method(), faces_in_flight), std::min(method().order_with.contact, surface_contact_order), 0.2);
 }
 
 }  // namespace

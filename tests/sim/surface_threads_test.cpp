@@ -37,8 +37,8 @@ FoldsOnThreads fold_on_threads(TestSim sim, int frames, int substeps, int thread
     frame.end(plan, sim.state);
     if (ms != nullptr) (*ms)[static_cast<std::size_t>(3 * i / frames)] += (real_ms() - start) / (frames / 3);
     outcome.work += frame.motion().contact_work + frame.motion().hand_work;
-    outcome.tests += frame.motion().contact_tests;
-    outcome.impulses += frame.motion().contact_impulses;
+    outcome.tests += frame.motion().counts.contact_tests;
+    outcome.impulses += frame.motion().counts.contact_impulses;
   }
   outcome.hash = hash_state(sim.state);
   outcome.has_failed = frame.failure() != StepFailure::None;

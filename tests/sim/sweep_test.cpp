@@ -26,7 +26,7 @@ struct Swept {
   }
   Field velocities_after(SweepDirection sweep) const {
     Field v = motion.v;
-    decay_dashpots(plan, plan.runs, decay, sweep, motion.x, v);
+    decay_dashpots(plan, plan.spring.runs, decay, sweep, motion.x, v);
     return v;
   }
 };
@@ -37,7 +37,7 @@ struct SweptSpring {
 };
 std::vector<SweptSpring> swept_springs(const Plan& plan) {
   std::vector<SweptSpring> result;
-  for (const SpringRun& run : plan.runs) {
+  for (const SpringRun& run : plan.spring.runs) {
     const Index step = run.second == run.first + 1 ? 2 : 1;  // in a run along a row, every other spring first
     for (Index start = 0; start < step; ++start)
       for (Index e = start; e < run.count; e += step) result.push_back({run.begin + e, run.first + e, run.second + e});
@@ -113,17 +113,6 @@ TEST(DashpotSweep, EqualsAPlainLoopBitForBitOnEveryVectorTarget) {
         EXPECT_EQ(swept.velocities_after(sweep), plain_velocities_after(swept, sweep))
             << hwy::TargetName(target) << ", " << swept.plan.points << " points, " << swept.plan.springs << " springs, "
             << (sweep == SweepDirection::Forward ? "forward" : "backward");
-
-      // the sweeps of a method, at other positions and then twice at the same ones, the second time reusing what depends on them
-      DashpotSweeps sweeps;
-      sweeps.prepare(swept.plan, duration);
-      Field others = swept.motion.v;
-      sweeps.sweep(swept.plan, SweepDirection::Forward, true, swept.motion.v, others);
-      for (const SweepDirection sweep : {SweepDirection::Backward, SweepDirection::Forward}) {
-        Field v = swept.motion.v;
-        sweeps.sweep(swept.plan, sweep, sweep == SweepDirection::Forward, swept.motion.x, v);
-        EXPECT_EQ(v, plain_velocities_after(swept, sweep)) << hwy::TargetName(target) << ", " << swept.plan.springs << " springs";
-      }
     }
   }
   hwy::SetSupportedTargetsForTest(0);
@@ -152,7 +141,7 @@ TEST(DashpotSweep, OfALargeNetGoesFromTheMiddleToBothSidesToTheSameBitsOnAnyThre
     sweeps.prepare(swept.plan, duration);
     for (const SweepDirection sweep : {SweepDirection::Forward, SweepDirection::Backward}) {
       Field v = swept.motion.v;
-      sweeps.sweep(swept.plan, sweep, false, swept.motion.x, v);
+      sweeps.sweep(swept.plan, sweep, swept.motion.x, v);
       EXPECT_EQ(v, plain_velocities_after(swept, sweep, from_middle(swept.plan, n / 2 * n))) << threads << " threads";
       EXPECT_NE(v, plain_velocities_after(swept, sweep)) << "one half after the other";
     }
@@ -167,7 +156,7 @@ TEST(DashpotSweep, OfALargeGraphWithoutHalvesIsThatOfASmallOne) {
   DashpotSweeps sweeps;
   sweeps.prepare(swept.plan, duration);
   Field v = swept.motion.v;
-  sweeps.sweep(swept.plan, SweepDirection::Forward, false, swept.motion.x, v);
+  sweeps.sweep(swept.plan, SweepDirection::Forward, swept.motion.x, v);
   EXPECT_EQ(v, plain_velocities_after(swept, SweepDirection::Forward));
 }
 

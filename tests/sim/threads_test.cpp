@@ -79,7 +79,7 @@ TestSim cloth_with_holes() {
 
 TEST(Threads, ComputeBandsOfRows) {
   Plan plan = make_plan(waving_cloth().system);
-  ASSERT_EQ(plan.grids.size(), 1u);
+  ASSERT_EQ(plan.spring.grids.size(), 1u);
   const GridView<double> grid{.points = plan.points, .rows = points_of_side, .columns = points_of_side};
   for (const int threads : {1, 2, 3, 5, 16}) {
     plan.execution.team = std::make_shared<ThreadTeam>(threads, WhenLate::Wait);

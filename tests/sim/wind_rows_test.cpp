@@ -49,7 +49,7 @@ Result wind_on(const TestSim& sim) {
   Result result{.force = motion.v};
   wind_force.add(plan, values, 0.0, motion.x.data(), motion.v.data(), result.force.data());
   result.power = wind_force.power(plan, values, 0.0, motion.x.data(), motion.v.data());
-  result.rows = static_cast<Index>(plan.face_rows.size());
+  result.rows = static_cast<Index>(plan.force_data.face_rows.size());
   return result;
 }
 

@@ -25,12 +25,13 @@ double model_cost(const ProblemRecord& record, const Row& row, const Plan& plan)
   const Integrator& method = *find_integrator(row.method);
   Motion motion;
   // in frames of 1/60 s, each of which starts with an evaluation
-  motion.force_evaluations = row.work.force_evaluations + (method.symplectic && method.order > 1 ? std::lround(60.0 * record.seconds) : 0);
-  motion.factorizations = row.work.factorizations;
-  motion.solves = row.work.solves;
-  motion.sweeps = row.work.sweeps;
+  motion.counts.force_evaluations =
+      row.work.force_evaluations + (method.symplectic && method.order > 1 ? std::lround(60.0 * record.seconds) : 0);
+  motion.counts.factorizations = row.work.factorizations;
+  motion.counts.solves = row.work.solves;
+  motion.counts.sweeps = row.work.sweeps;
   const bool splits_dashpots = method.id == "velocity_verlet" || method.id == "blanes_moan4";
-  if (splits_dashpots && plan.has_dashpots()) motion.dashpot_sweeps = std::lround(2.0 * record.seconds / *row.step);
+  if (splits_dashpots && plan.has_dashpots()) motion.counts.dashpot_sweeps = std::lround(2.0 * record.seconds / *row.step);
   return CostModel(plan).of(method, motion, 0);
 }
 

@@ -65,7 +65,7 @@ struct OneStepAFrame {
       frame.begin(plan, start.system, {.integrator = find_integrator("tr_bdf2"), .frame_rate = 60.0, .substeps = 1}, state);
       while (!frame.done()) frame.substep(plan);
       frame.end(plan, state);
-      unconverged_solves += frame.motion().unconverged_solves;
+      unconverged_solves += frame.motion().counts.unconverged_solves;
       max_factorizations = std::max(max_factorizations, frame.factorizations());
     }
   }

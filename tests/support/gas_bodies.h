@@ -98,7 +98,7 @@ struct PackedGas {
   explicit PackedGas(const TestSim& sim) : plan(make_plan(sim.system)) { pack(plan, sim.state, motion); }
   const ForceValues& values() const { return plan.forces[0].values; }
   double volume(std::size_t enclosure = 0) const {
-    return std::abs(signed_volume(plan, plan.enclosures.enclosures[enclosure], motion.x.data()));
+    return std::abs(signed_volume(plan, plan.force_data.enclosures.enclosures[enclosure], motion.x.data()));
   }
   double potential(double time = 0.0) const { return pressure_force.potential(plan, values(), time, motion.x.data()); }
   Field force(double time = 0.0) const { return force_at(motion.x, time); }
@@ -108,12 +108,6 @@ struct PackedGas {
     return f;
   }
 };
-
-inline Vec3 vector_at(const Plan& plan, const Field& f, Index i) {
-  Vec3 result(0.0);
-  for (int c = 0; c < plan.dimensions; ++c) result[c] = f[static_cast<std::size_t>(c) * plan.points + i];
-  return result;
-}
 
 inline double length_of(const Field& f) {
   double square = 0.0;

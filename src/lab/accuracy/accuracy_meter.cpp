@@ -96,7 +96,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   }
   method_ = settings.integrator;
   has_broken_ = has_broken_ || !motion.breaks.empty();
-  is_smooth_ = is_smooth_ && !touches_ && !ignores_tolerance_ && !has_broken_ && !plan.held && !plan.pull;
+  is_smooth_ = is_smooth_ && !touches_ && !ignores_tolerance_ && !has_broken_ && !plan.hand.held && !plan.hand.pull;
   is_aliased_ = is_aliased_ || !resolves_colliders(plan, settings_used(settings, after));
   energy_.add_frame(plan, system, before, after, motion, energy);
   energy_scale_ = after.ledger.scale;
@@ -109,7 +109,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   if (is_due && motion.breaks.empty() && !repetition_.is_in_progress()) {
     const bool collapses = settings.integrator->stability != Stability::Adaptive && !is_automatic(settings) && can_collapse(system, before);
     collapses_ = collapses && !touches_;
-    repetition_.begin(plan, system, settings, before, after, energy, motion.force_evaluations,
+    repetition_.begin(plan, system, settings, before, after, energy, motion.counts.force_evaluations,
                       (touches_ || collapses_) && repetitions_++ % order_period == 0);
     energy_.begin_repetition();
     frames_since_repetition_ = 0;
@@ -118,7 +118,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   if (mode_ != AccuracyMode::Full) return;
   if (start_.empty()) start_ = before.position;
   motion_ = std::max(motion_, weighted_distance(system, after.position, start_, 1.0).rms);
-  second_runs_.add_frame(plan, system, settings, before, after, motion.force_evaluations);
+  second_runs_.add_frame(plan, system, settings, before, after, motion.counts.force_evaluations);
 }
 
 void AccuracyMeter::repeat(const System& system) {

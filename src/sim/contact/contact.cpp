@@ -90,7 +90,7 @@ class PointPass {
     const std::size_t first = number * block, end = std::min(n_, first + block);
     // most points that touch rest or slide: these at once, but for those that keep the path of the method under friction
     RestingPoints resting{.outcome = before_.outcome.data() + first, .work = before_.work.data() + first};
-    if (!plan_.pairs.on && !plan_.colliders_move && !keeps_path_) {
+    if (!plan_.pairs.on && !plan_.collider_paths.any_moves && !keeps_path_) {
       solve_resting_points(plan_, h_, first, end, before_.x, before_.v, motion_.x, motion_.v, resting);
       if (resting.any_solved) touches.first_touch = 0.0;
     } else {
@@ -108,19 +108,7 @@ class PointPass {
     }
     if (!result.any_solved) return;
     result.work = sum_of({before_.work.data() + first, end - first});
-    if (plan_.colliders_move) result.supplied = sum_of({before_.supplied.data() + first, end - first});
-  }
-
-  // By the points of a block that touched, of which there are some.
-  void extend_touched(std::size_t number) const {
-    const std::size_t first = number * block;
-    std::size_t begin = first, end = std::min(n_, first + block);
-    while (before_.outcome[end - 1] == RestingPoints::Free) --end;
-    if (before_.touched.end == 0) {
-      while (before_.outcome[begin] == RestingPoints::Free) ++begin;
-      before_.touched.first = static_cast<Index>(begin);
-    }
-    before_.touched.end = static_cast<Index>(end);
+    if (plan_.collider_paths.any_moves) result.supplied = sum_of({before_.supplied.data() + first, end - first});
   }
 
   // After all others, in the order of the points. Adds their work [J], and bounds on what colliders have supplied.
@@ -129,7 +117,7 @@ class PointPass {
       if (before_.outcome[i] != RestingPoints::Open) continue;
       solve_point(i, &before_.pushed, touches);
       work += before_.work[i];
-      if (plan_.colliders_move) supplied += before_.supplied[i];
+      if (plan_.collider_paths.any_moves) supplied += before_.supplied[i];
     }
   }
 
@@ -146,7 +134,7 @@ class PointPass {
     // the parabola through both positions with the mean acceleration of the step: its velocity starts ahead of v0
     const Vec3 a = (v1 - v0) / h_, velocity_correction = without_rounding(plan_, (x1 - x0) / h_ - v0 - 0.5 * h_ * a, x0, h_);
     PointContactSolver solver(obstacles_, radius, x0, v0, before_.velocity_lag, before_.friction_lag);
-    solver.adhesion = plan_.sticky.strength * plan_.inverse_mass[i];
+    solver.adhesion = plan_.force_data.sticky.strength * plan_.inverse_mass[i];
     if (!solver.advance(a, velocity_correction, h_)) return RestingPoints::Free;
     if (solver.push_out != Vec3(0.0)) {
       if (pushed == nullptr) return RestingPoints::Open;
@@ -156,7 +144,7 @@ class PointPass {
     touches.first_touch = std::min(touches.first_touch, solver.first_touch);
     touches.first_impact = std::min(touches.first_impact, solver.first_impact);
     before_.work[i] = plan_.mass[i] * (solver.gained - glm::dot(a, solver.x - x0 - solver.push_out));
-    if (plan_.colliders_move) {
+    if (plan_.collider_paths.any_moves) {
       double speed = 0.0;
       for (const Obstacle& obstacle : obstacles_)
         if (is_near(obstacle)) speed = std::max(speed, max_surface_speed(obstacle, x0, h_));
@@ -182,7 +170,7 @@ class PointPass {
 // of what these are accelerated within it, where contact would count as an impact what is none.
 void follow_planes(const Plan& plan, const ContactWorkspace& before, double h, Motion& motion) {
   const auto n = static_cast<std::size_t>(plan.points);
-  for (const StickyContact& contact : plan.sticky.held) {
+  for (const StickyContact& contact : plan.force_data.sticky.held) {
     const auto i = static_cast<std::size_t>(contact.point), k = static_cast<std::size_t>(contact.collider);
     const auto& plane = std::get<Plane>(plan.colliders[k].shape);
     const double acceleration = glm::dot(plane.normal, plan.colliders[k].path.acceleration(before.time));
@@ -207,7 +195,7 @@ void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
   const std::size_t blocks = (n + PointPass::block - 1) / PointPass::block;
   before.outcome.resize(n);
   before.work.resize(n);
-  if (plan.colliders_move) before.supplied.assign(n, 0.0);
+  if (plan.collider_paths.any_moves) before.supplied.assign(n, 0.0);
   before.blocks.resize(blocks);
   const PointPass pass(plan, obstacles, before, motion, h);
   const double energy = before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
@@ -221,12 +209,10 @@ void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
 
   // sums in the order of the blocks
   double work = 0.0, supplied = 0.0;
-  before.touched = {};
   for (std::size_t number = 0; number < blocks; ++number) {
     const ContactWorkspace::Block& block = before.blocks[number];
     if (!block.any_solved && !block.any_open) continue;
     touched = true;
-    pass.extend_touched(number);
     work += block.work;
     supplied += block.supplied;
     if (block.any_open) pass.solve_open_points(number, touches[0], work, supplied);
@@ -250,7 +236,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   before.pushed.clear();
   before.pushed.reserve(n);
   const double contact_work = motion.contact_work;  // [J], in the frame so far
-  if (before.velocity_lag != 0.0 && plan.colliders_move) follow_planes(plan, before, h, motion);
+  if (before.velocity_lag != 0.0 && plan.collider_paths.any_moves) follow_planes(plan, before, h, motion);
   keep_on_planes(plan, before.time + h, motion);
   if (plan.surface.on) before.surface.begin_substep(plan, before.velocity_lag, before.is_limited ? &before.unlimited_v : nullptr, motion);
   const double energy = plan.pairs.on && before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
@@ -274,7 +260,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
 
 bool limit_strain(const Plan& plan, ContactWorkspace& before, Motion& motion) {
   before.is_limited = false;
-  if (plan.max_length.empty()) return false;
+  if (plan.spring.max_length.empty()) return false;
   if (before.velocity_lag != 0.0 || plan.has_contact()) before.unlimited_v = motion.v;
   const double work = motion.limit_work;
   before.is_limited = limit_strain(plan, motion);

@@ -27,7 +27,6 @@ struct ContactWorkspace {
   std::vector<Obstacle> obstacles;
   // [s], since the start of the substep, when the first point touched something, and when the first had an impact; infinity: none did
   double first_touch = 0.0, first_impact = 0.0;
-  Motion::Moved touched;      // contains all points that touched colliders
   double contact_work = 0.0;  // [J], of the points that touched colliders; what colliders that move have supplied is not in it
   // Points that were inside a collider before the substep, where they are after it, and how far they were moved out [m].
   struct Pushed {

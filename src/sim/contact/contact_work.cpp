@@ -43,10 +43,10 @@ double mechanical_energy(const Plan& plan, double time, const Motion& motion) {
 }
 
 double held_speed(const Plan& plan, const Motion& motion) {
-  if (!plan.held) return 0.0;
+  if (!plan.hand.held) return 0.0;
   double sum = 0.0;
   for (int c = 0; c < plan.dimensions; ++c) {
-    const double v = motion.v[static_cast<std::size_t>(c) * plan.points + *plan.held];
+    const double v = motion.v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held];
     sum += v * v;
   }
   return std::sqrt(sum);

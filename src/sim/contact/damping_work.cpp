@@ -9,7 +9,7 @@ namespace hooke {
 namespace {
 
 bool is_measured(const Plan& plan) {
-  return (plan.has_dashpots() || plan.drag > 0.0) && (plan.touches_itself() || !plan.max_length.empty());
+  return (plan.has_dashpots() || plan.drag > 0.0) && (plan.touches_itself() || !plan.spring.max_length.empty());
 }
 
 double spring_length(const Plan& plan, const Field& x, Index first, Index second) {
@@ -93,10 +93,10 @@ double DampingWork::work_of_sweeps(const Plan& plan, double h, const Motion* end
 // contact leaves at rest.
 double DampingWork::work_of_forces(const Plan& plan, double h, const Motion* end) const {
   double free = 0.0, moved = 0.0;
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const Index first = run.first + e, second = run.second + e;
-      const double d = plan.damping[run.begin + e];
+      const double d = plan.spring.damping[run.begin + e];
       if (d == 0.0) continue;
       const double l0 = spring_length(plan, x_, first, second), l1 = spring_length(plan, free_x_, first, second);
       const double w0 = speed_along(plan, x_, v_, first, second, l0), w1 = speed_along(plan, free_x_, free_v_, first, second, l1);
@@ -107,7 +107,7 @@ double DampingWork::work_of_forces(const Plan& plan, double h, const Motion* end
   // Where steps do not resolve the dashpots, that is more than they can exert: no more than is missing, where nothing else supplies
   // energy.
   constexpr double max_resolved = 0.3;
-  if (plan.spectrum.dashpot_rate * h > max_resolved && !plan.held && !plan.pull) {
+  if (plan.spectrum.dashpot_rate * h > max_resolved && !plan.hand.held && !plan.hand.pull) {
     const double before = kinetic_energy(plan, v_) + potential_energy(plan, start_ + 0.5 * h, x_);
     const double after = kinetic_energy(plan, free_v_) + potential_energy(plan, start_ + 0.5 * h, free_x_);
     if (const double possible = std::min(0.0, after - before); free < possible) {
@@ -136,7 +136,7 @@ void DampingWork::end_substep(const Plan& plan, double h, bool is_limited, Motio
     motion.contact_work = contact_work_ + contact;
   }
   // a strain limit only stops what separates: what it has supplied on its own is an error
-  if (limit > 0.0 && !plan.held && !plan.colliders_move) motion.limit_gain += limit;
+  if (limit > 0.0 && !plan.hand.held && !plan.collider_paths.any_moves) motion.limit_gain += limit;
 }
 
 }  // namespace hooke

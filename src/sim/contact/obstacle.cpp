@@ -12,7 +12,7 @@ std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double 
   obstacles.resize(plan.colliders.size());
   for (std::size_t c = 0; c < obstacles.size(); ++c) {
     Obstacle& obstacle = obstacles[c] = {.collider = &plan.colliders[c]};
-    if (!plan.colliders_move) continue;
+    if (!plan.collider_paths.any_moves) continue;
     const Vec3 end = plan.offset_of(c, start + h), last = plan.velocity_of(c, start + h);
     obstacle.offset = plan.offset_of(c, start);
     obstacle.velocity = plan.velocity_of(c, start);

@@ -32,7 +32,7 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
   if (!measure(plan, obstacles, x0, v0, h, motion)) return false;
   wanted_.assign(plan.points, 0.0);
   if (!is_covered(plan, x0) && !find_pairs(plan, x0)) return false;
-  motion.contact_tests += static_cast<long>(pairs_.size());
+  motion.counts.contact_tests += static_cast<long>(pairs_.size());
   if (!involve_pairs(plan, x0)) return false;
 
   // again from the start when a point gets farther than expected, to where there may be others
@@ -43,8 +43,8 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
     const auto is_affordable = [&] { return excess_ + work + simulation_.work() - usual_work(plan.points) <= max_excess; };
     bool is_complete = is_within_bounds(plan, x0, h);
     while (is_complete && is_affordable() && simulation_.advance()) is_complete = is_within_bounds(plan, x0, h);
-    motion.contact_tests += simulation_.tests();
-    motion.contact_impulses += simulation_.impulses();
+    motion.counts.contact_tests += simulation_.tests();
+    motion.counts.contact_impulses += simulation_.impulses();
     has_failed_ = !is_affordable();
     work += simulation_.work();
     if (is_complete && !has_failed_) break;
@@ -211,7 +211,7 @@ void PairSolver::write(const Plan& plan, double h, Motion& motion) {
   bool is_held = false;
   for (const PointPath& path : simulation_.paths) {
     const Index i = path.point;
-    is_held = is_held || plan.held == i;
+    is_held = is_held || plan.hand.held == i;
     if (!path.is_changed) continue;
     const Vec3 v1 = vector_in(plan, motion.v, i), v = path.v - path.velocity_correction;
     work_ += path.contact_work();
@@ -221,7 +221,7 @@ void PairSolver::write(const Plan& plan, double h, Motion& motion) {
       motion.v[c * n + i] = v[c];
     }
   }
-  if (plan.colliders_move)
+  if (plan.collider_paths.any_moves)
     for (const Touch& touch : simulation_.touches)
       if (touch.obstacle != nullptr) speed = std::max(speed, max_surface_speed(*touch.obstacle, simulation_.paths[touch.first].x, h));
   supplied_ = {.by_hand = is_held ? impulses * held_speed(plan, motion) : 0.0, .by_colliders = impulses * speed};

@@ -21,11 +21,11 @@ CostModel::CostModel(const Plan& plan) {
   force_ = 2.8 * springs + 0.4 * points + 80.0;
   for (const Force& force : plan.forces) {
     const ForceCost cost = force.term->cost != nullptr ? force.term->cost(plan, force.values) : ForceCost{};
-    const double items = cost.of_faces ? static_cast<double>(plan.faces.size()) : points;
+    const double items = cost.of_faces ? static_cast<double>(plan.force_data.faces.size()) : points;
     force_ += cost.evaluation * items;
     substep_ += cost.energy * items;
   }
-  if (!plan.max_length.empty()) {
+  if (!plan.spring.max_length.empty()) {
     limit_sweep_ = 5.0 * springs;
     substep_ += springs;
     // while a part of the springs is at the limit
@@ -51,12 +51,13 @@ double CostModel::evaluation(const Integrator& method) const {
 
 double CostModel::of(const Integrator& method, const Motion& motion, int substeps) const {
   const bool is_implicit = method.implicit_solve != ImplicitSolve::None;
-  const double evaluations = is_implicit ? 0.0 : evaluation(method) * static_cast<double>(motion.force_evaluations);
-  const double contact =
-      contact_test * static_cast<double>(motion.contact_tests) + contact_impulse * static_cast<double>(motion.contact_impulses);
-  return ms_per_ns * (evaluations + (contact_ + substep_) * substeps + contact + sweep_ * static_cast<double>(motion.sweeps) +
-                      limit_sweep_ * static_cast<double>(motion.limit_sweeps) + dashpots_ * static_cast<double>(motion.dashpot_sweeps) +
-                      factorization_ * static_cast<double>(motion.factorizations) + solve_ * static_cast<double>(motion.solves));
+  const double evaluations = is_implicit ? 0.0 : evaluation(method) * static_cast<double>(motion.counts.force_evaluations);
+  const double contact = contact_test * static_cast<double>(motion.counts.contact_tests) +
+                         contact_impulse * static_cast<double>(motion.counts.contact_impulses);
+  return ms_per_ns *
+         (evaluations + (contact_ + substep_) * substeps + contact + sweep_ * static_cast<double>(motion.counts.sweeps) +
+          limit_sweep_ * static_cast<double>(motion.counts.limit_sweeps) + dashpots_ * static_cast<double>(motion.counts.dashpot_sweeps) +
+          factorization_ * static_cast<double>(motion.counts.factorizations) + solve_ * static_cast<double>(motion.counts.solves));
 }
 
 double CostModel::expected(const Integrator& method, int substeps) const {

@@ -71,10 +71,10 @@ double FrameRuns::velocity_error(const System& system) const {
 }
 
 bool is_calm(const Plan& plan, const State& state, double duration) {
-  const bool has_events = plan.has_contact() || !plan.break_length.empty() || !plan.max_length.empty() || plan.held || plan.pull ||
-                          plan.grabbed_collider || !plan.forces.empty();
+  const bool has_events = plan.has_contact() || !plan.spring.break_length.empty() || !plan.spring.max_length.empty() || plan.hand.held || plan.hand.pull ||
+                          plan.collider_paths.grabbed || !plan.forces.empty();
   if (has_events) return false;
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const Index first = plan.listed_index(run.first + e), second = plan.listed_index(run.second + e);
       const double length = glm::distance(state.position[first], state.position[second]);
@@ -86,17 +86,17 @@ bool is_calm(const Plan& plan, const State& state, double duration) {
 
 // m v^2 + k (l - l0)^2 >= k (L - l0)^2 / 4, m the reduced mass of both ends
 bool may_break(const Plan& plan, const State& state) {
-  if (plan.break_length.empty()) return false;
-  for (const SpringRun& run : plan.runs)
+  if (plan.spring.break_length.empty()) return false;
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const Index s = run.begin + e, first = run.first + e, second = run.second + e;
       const double w = plan.inverse_mass[first] + plan.inverse_mass[second];
-      if (!std::isfinite(plan.break_length[s]) || w == 0.0) continue;
+      if (!std::isfinite(plan.spring.break_length[s]) || w == 0.0) continue;
       const Index i = plan.listed_index(first), j = plan.listed_index(second);
       const Vec3 relative = state.velocity[i] - state.velocity[j];
-      const double stretch = glm::distance(state.position[i], state.position[j]) - plan.rest_length[s];
-      const double half = 0.5 * (plan.break_length[s] - plan.rest_length[s]);
-      if (glm::dot(relative, relative) / w + plan.stiffness[s] * stretch * stretch >= plan.stiffness[s] * half * half) return true;
+      const double stretch = glm::distance(state.position[i], state.position[j]) - plan.spring.rest_length[s];
+      const double half = 0.5 * (plan.spring.break_length[s] - plan.spring.rest_length[s]);
+      if (glm::dot(relative, relative) / w + plan.spring.stiffness[s] * stretch * stretch >= plan.spring.stiffness[s] * half * half) return true;
     }
   return false;
 }

@@ -26,16 +26,16 @@ bool acts_once_per_substep(const System& system) { return has_surface_contact(sy
 
 int free_order(const System& system, const Integrator& method) {
   int order = method.order;
-  if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
+  if (system.drag_rate() > 0.0) order = std::min(order, method.order_with.drag);
   if (std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; }))
-    order = std::min(order, method.order_damped);
-  if (std::ranges::any_of(system.forces, &Force::on)) order = std::min(order, method.order_force_terms);
+    order = std::min(order, method.order_with.damped);
+  if (std::ranges::any_of(system.forces, &Force::on)) order = std::min(order, method.order_with.force_terms);
   return order;
 }
 
 int effective_order(const System& system, const Integrator& method) {
   int order = free_order(system, method);
-  if (has_contact(system)) order = std::min(order, method.order_contact);
+  if (has_contact(system)) order = std::min(order, method.order_with.contact);
   if (has_surface_contact(system)) order = std::min(order, surface_contact_order);
   return order;
 }
@@ -116,9 +116,9 @@ Repetition repetition_of(const Plan& plan, const System& system, const Settings&
 }
 
 bool resolves_colliders(const Plan& plan, const Settings& used) {
-  if (!std::isfinite(plan.resolving_step)) return true;
+  if (!std::isfinite(plan.collider_paths.resolving_step)) return true;
   constexpr double rounding = 1e-9;
-  const double max_step = plan.resolving_step * (1.0 + rounding);
+  const double max_step = plan.collider_paths.resolving_step * (1.0 + rounding);
   if (used.integrator->stability == Stability::Adaptive) return true;
   return used.substep() <= max_step;
 }

@@ -62,19 +62,17 @@ class BandStepsOfTurn final : public BandSteps {
   int pass_;
 };
 
-// `passes` passes over the `rows` of a grid, one after another, each in bands of rows side by side: use(part, pass, band). With `in_place`
+// `passes` passes over the rows of a grid, one after another, each in bands of rows side by side: use(part, pass, band). With `in_place`
 // they change x and, with v, its velocities. Returns the number of bands. A thread begins a pass as soon as the band above has ended the
 // one before.
 template <class T, class Use>
-int for_bands(const Plan& plan, const GridView<T>& grid, const GridBand<T>& rows, int passes, bool in_place, const T* x, const T* v,
-              const Use& use) {
+int for_bands(const Plan& plan, const GridView<T>& grid, int passes, bool in_place, const T* x, const T* v, const Use& use) {
   constexpr Index min_points = 1000;  // some microseconds
   const ThreadTeam::Turn turn(plan.execution.team.get());
-  const Index row_count = rows.end - rows.begin;
-  const int max_bands = std::max(1, static_cast<int>(row_count / 2));
-  const int bands = std::min(count_parts(plan, turn, row_count * grid.columns, min_points), max_bands);
+  const int max_bands = std::max(1, static_cast<int>(grid.rows / 2));
+  const int bands = std::min(count_parts(plan, turn, grid.rows * grid.columns, min_points), max_bands);
   if (bands == 1) {
-    for (int pass = 0; pass < passes; ++pass) use(0, pass, rows);
+    for (int pass = 0; pass < passes; ++pass) use(0, pass, GridBand<T>{0, grid.rows});
     return 1;
   }
 
@@ -90,7 +88,7 @@ int for_bands(const Plan& plan, const GridView<T>& grid, const GridBand<T>& rows
 
   std::array<BandProgress, max_parts> progress;
   turn.run(bands, [&](int part) {
-    GridBand<T> band{rows.begin + start_of_band(part, bands, row_count), rows.begin + start_of_band(part + 1, bands, row_count)};
+    GridBand<T> band{start_of_band(part, bands, grid.rows), start_of_band(part + 1, bands, grid.rows)};
     const bool is_last = part + 1 == bands;
     if (in_place && !is_last) {
       band.x_below = copy_of(part + 1);
@@ -109,12 +107,6 @@ int for_bands(const Plan& plan, const GridView<T>& grid, const GridBand<T>& rows
     }
   });
   return bands;
-}
-
-// The same over all rows.
-template <class T, class Use>
-int for_bands(const Plan& plan, const GridView<T>& grid, int passes, bool in_place, const T* x, const T* v, const Use& use) {
-  return for_bands(plan, grid, GridBand<T>{0, grid.rows}, passes, in_place, x, v, use);
 }
 
 }  // namespace hooke

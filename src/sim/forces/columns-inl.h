@@ -53,7 +53,6 @@ struct WholeVector {
   HWY_INLINE V load(const T* p) const { return hn::LoadU(d, p); }
   HWY_INLINE V load_next(const T* p) const { return hn::LoadU(d, p + 1); }
   HWY_INLINE void store(V v, T* p) const { hn::StoreU(v, d, p); }
-  HWY_INLINE V valid(V v) const { return v; }
 };
 
 // The last columns of a row: nothing is read or written beyond them. Vectors of 16 bytes take them one by one, since Highway's
@@ -69,7 +68,6 @@ struct RightEdge {
   HWY_INLINE V load(const T* p) const { return hn::MaskedLoad(here, d, p); }
   HWY_INLINE V load_next(const T* p) const { return hn::MaskedLoad(next, d, p + 1); }
   HWY_INLINE void store(V v, T* p) const { hn::BlendedStore(v, here, d, p); }
-  HWY_INLINE V valid(V v) const { return hn::IfThenElseZero(here, v); }
 };
 
 template <class T>
@@ -81,7 +79,6 @@ struct OneColumn {
   HWY_INLINE V load(const T* p) const { return hn::LoadU(d, p); }
   HWY_INLINE V load_next(const T* p) const { return has_next ? hn::LoadU(d, p + 1) : hn::Zero(d); }
   HWY_INLINE void store(V v, T* p) const { hn::StoreU(v, d, p); }
-  HWY_INLINE V valid(V v) const { return v; }
 };
 
 // What cells have for the points of the next column.
@@ -133,47 +130,6 @@ struct RowState {
       is_wide = false;
       return single;
     }
-  }
-};
-
-// Whether any lane was set, over vectors of either width.
-template <class T>
-struct AnySet {
-  using Wide = hn::ScalableTag<T>;
-  using Single = hn::CappedTag<T, 1>;
-  hn::Mask<Wide> wide;
-  hn::Mask<Single> single;
-  HWY_INLINE AnySet() : wide(hn::FirstN(Wide(), 0)), single(hn::FirstN(Single(), 0)) {}
-  template <class D>
-  HWY_INLINE auto& mask(D) {
-    if constexpr (hn::MaxLanes(D()) == hn::MaxLanes(Wide()))
-      return wide;
-    else
-      return single;
-  }
-  HWY_INLINE bool any() const { return !hn::AllFalse(Wide(), wide) || !hn::AllFalse(Single(), single); }
-};
-
-// The maximum of numbers that are not negative, over all lanes of vectors of either width.
-template <class T>
-struct Max {
-  hn::ScalableTag<T> d;
-  hn::Vec<hn::ScalableTag<T>> wide;
-  T single = 0;
-
-  HWY_INLINE Max() : wide(hn::Zero(d)) {}
-  template <class V>
-  HWY_INLINE void add(V square) {
-    if constexpr (std::is_same_v<V, hn::Vec<hn::ScalableTag<T>>>) {
-      wide = hn::Max(wide, square);
-    } else {
-      const T candidate = hn::GetLane(square);
-      single = candidate > single ? candidate : single;
-    }
-  }
-  HWY_INLINE T get() const {
-    const T max = hn::GetLane(hn::MaxOfLanes(d, wide));
-    return max > single ? max : single;
   }
 };
 

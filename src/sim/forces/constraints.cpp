@@ -132,7 +132,7 @@ struct ColoredSpring {
 std::vector<ColoredSpring> springs_of(const Plan& plan) {
   std::vector<ColoredSpring> springs;
   springs.reserve(plan.springs);
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) springs.push_back({run.first + e, run.second + e, run.begin + e});
   return springs;
 }
@@ -150,7 +150,7 @@ void color_grid(const Grid& grid, std::vector<ColoredSpring>& springs) {
 
 // One direction of each grid after another, then greedily all others by the distance of their ends in the list of points.
 void color(const Plan& plan, std::vector<ColoredSpring>& springs) {
-  for (const Grid& grid : plan.grids) color_grid(grid, springs);
+  for (const Grid& grid : plan.spring.grids) color_grid(grid, springs);
   std::vector<std::vector<std::uint64_t>> used_colors(plan.points);
   std::vector<ColoredSpring*> others;
   for (ColoredSpring& spring : springs) {
@@ -237,10 +237,10 @@ void Constraints::prepare(const Plan& plan, double h, double phi) {
   for (const SweepRun& run : runs_)
     for (Index n = 0; n < run.count; ++n) {
       const auto [packed, first, second] = spring(run, n);
-      const double k = plan.stiffness[packed], d = plan.has_dashpots() ? plan.damping[packed] : 0.0;
+      const double k = plan.spring.stiffness[packed], d = plan.has_dashpots() ? plan.spring.damping[packed] : 0.0;
       const double factor = phi / (1.0 + phi * (h * k + d) * (plan.inverse_mass[first] + plan.inverse_mass[second]));
       const std::size_t place = run.place(n);
-      rest_length_[place] = plan.rest_length[packed];
+      rest_length_[place] = plan.spring.rest_length[packed];
       stiffness_[place] = factor * k;
       if (plan.has_dashpots()) damping_[place] = factor * d;
     }

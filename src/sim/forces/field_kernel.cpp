@@ -95,29 +95,6 @@ void add_squares_of_sum(std::span<double, partial_sums> squares, std::span<const
   for (std::size_t partial = 0; i < size; ++i, ++partial) add(single, i, partial);
 }
 
-void change_forces(const ForceChange& change, double* v, double* a, std::span<double, partial_sums> power, std::size_t size) {
-  // returns the power
-  const auto apply = [&](auto d, std::size_t i) HWY_ATTR {
-    const auto after = hn::LoadU(d, change.after + i), inverse_mass = hn::LoadU(d, change.inverse_mass + i);
-    const auto da = hn::Mul(hn::Sub(after, hn::LoadU(d, change.before + i)), inverse_mass);
-    const auto now = hn::Add(hn::LoadU(d, v + i), hn::Mul(hn::Set(d, change.weight), da));
-    hn::StoreU(now, d, v + i);
-    hn::StoreU(hn::Add(hn::LoadU(d, a + i), da), d, a + i);
-    const auto listed = hn::Sub(after, hn::Mul(hn::Set(d, change.g), hn::LoadU(d, change.mass + i)));
-    return hn::IfThenZeroElse(hn::Eq(inverse_mass, hn::Zero(d)), hn::Mul(listed, now));
-  };
-  // one partial sum per lane, in a register
-  const hn::CappedTag<double, partial_sums> wide;
-  const hn::CappedTag<double, 1> single;
-  const std::size_t lanes = hn::Lanes(wide), whole = size / partial_sums * partial_sums;
-  for (std::size_t partial = 0; partial < partial_sums; partial += lanes) {
-    auto sum = hn::LoadU(wide, &power[partial]);
-    for (std::size_t i = partial; i < whole; i += partial_sums) sum = hn::Add(sum, apply(wide, i));
-    hn::StoreU(sum, wide, &power[partial]);
-  }
-  for (std::size_t i = whole; i < size; ++i) power[i - whole] += hn::GetLane(apply(single, i));
-}
-
 // x = (x0 + x1) / 2 + h/8 (v0 - v1),  v = 3/2 (x1 - x0) / h - (v0 + v1) / 4
 void set_cubic_middle(const CubicEnds& ends, double h, double* x, double* v, std::size_t size) {
   const double rate = 1.5 / h;
@@ -142,7 +119,6 @@ HWY_EXPORT(multiply_each);
 HWY_EXPORT(set_scaled);
 HWY_EXPORT(set_sum);
 HWY_EXPORT(add_squares_of_sum);
-HWY_EXPORT(change_forces);
 HWY_EXPORT(set_cubic_middle);
 
 void add_scaled(double* y, double s, const double* x, std::size_t size) { HWY_DYNAMIC_DISPATCH(add_scaled)(y, s, x, size); }
@@ -157,9 +133,6 @@ void set_sum(double* y, const double* start, std::span<const ScaledField> terms,
 }
 void add_squares_of_sum(std::span<double, partial_sums> squares, std::span<const ScaledField> terms, std::size_t size) {
   HWY_DYNAMIC_DISPATCH(add_squares_of_sum)(squares, terms, size);
-}
-void change_forces(const ForceChange& change, double* v, double* a, std::span<double, partial_sums> power, std::size_t size) {
-  HWY_DYNAMIC_DISPATCH(change_forces)(change, v, a, power, size);
 }
 void set_cubic_middle(const CubicEnds& ends, double h, double* x, double* v, std::size_t size) {
   HWY_DYNAMIC_DISPATCH(set_cubic_middle)(ends, h, x, v, size);

@@ -30,15 +30,6 @@ void set_sum(double* y, const double* start, std::span<const ScaledField> terms,
 inline constexpr std::size_t partial_sums = 8;
 void add_squares_of_sum(std::span<double, partial_sums> squares, std::span<const ScaledField> terms, std::size_t size);
 
-// For one component of points: where a force changes from `before` to `after` [N], v += weight df/m and a += df/m; adds the power [W] of
-// `after` but for that of the weight m g to eight partial sums in turn, as above. Nothing where the inverse mass is zero.
-struct ForceChange {
-  const double *before, *after, *mass, *inverse_mass;
-  double weight;  // [s]
-  double g;       // [m/s^2]
-};
-void change_forces(const ForceChange& change, double* v, double* a, std::span<double, partial_sums> power, std::size_t size);
-
 // The middle of the cubic between two states h [s] apart, and its slope there.
 struct CubicEnds {
   const double *start_x, *start_v, *end_x, *end_v;

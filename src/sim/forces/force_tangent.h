@@ -16,13 +16,13 @@ class ForceTangent {
   void reset(const Plan& plan) {
     stiffness_.assign(plan.points, glm::dmat3(0.0));
     damping_.assign(plan.points, glm::dmat3(0.0));
-    hinge_damping_.assign(plan.hinges.column.size(), glm::dmat3(0.0));
-    volumes_.resize(plan.enclosures.enclosures.size());
+    hinge_damping_.assign(plan.force_data.hinges.column.size(), glm::dmat3(0.0));
+    volumes_.resize(plan.force_data.enclosures.enclosures.size());
     for (Volume& volume : volumes_) {
       volume.stiffness = 0.0;
       volume.gradient.assign(static_cast<std::size_t>(plan.points) * plan.dimensions, 0.0);
     }
-    volume_curvature_.assign(plan.enclosures.edges.size(), Vec3(0.0));
+    volume_curvature_.assign(plan.force_data.enclosures.edges.size(), Vec3(0.0));
     mean_stiffness_ = mean_damping_ = hinge_stiffness_ = 0.0;
     are_hinges_damped_ = are_hinges_bent_ = false;
   }

@@ -68,14 +68,12 @@ struct Points {
 // The numbers of a row of springs.
 template <class T>
 struct Numbers {
-  const T *stiffness[Grid::directions], *rest_length[Grid::directions], *damping[Grid::directions], *limit[Grid::directions];
-  bool has_limits;
-  Numbers(const GridView<T>& grid, Index r, bool damped) : has_limits(grid.has_limits) {
+  const T *stiffness[Grid::directions], *rest_length[Grid::directions], *damping[Grid::directions];
+  Numbers(const GridView<T>& grid, Index r, bool damped) {
     for (std::size_t direction = 0; direction < (r + 1 < grid.rows ? Grid::directions : 1); ++direction) {
       stiffness[direction] = grid.stiffness[direction].row(r);
       rest_length[direction] = grid.rest_length[direction].row(r);
       if (damped) damping[direction] = grid.damping[direction].row(r);
-      if (has_limits) limit[direction] = grid.limit[direction].row(r);
     }
   }
 };
@@ -99,10 +97,10 @@ HWY_INLINE Corners<Dimensions, V> load_corners(const Columns& columns, const Poi
   return corners;
 }
 
-// The p of the springs of one direction from column j on. `at_limit` collects whether springs are at least as long as their limit.
+// The p of the springs of one direction from column j on.
 template <int Dimensions, bool Damped, class D, class T, class V = hn::Vec<D>>
 HWY_INLINE V compute_tension(D d, const Numbers<T>& numbers, Grid::Direction direction, Index j, const V* x1, const V* x2, const V* v1,
-                             const V* v2, hn::Mask<D>& at_limit) {
+                             const V* v2) {
   V u[Dimensions];
   for (int c = 0; c < Dimensions; ++c) u[c] = hn::Sub(x1[c], x2[c]);
   V square = hn::Mul(u[0], u[0]);
@@ -115,21 +113,14 @@ HWY_INLINE V compute_tension(D d, const Numbers<T>& numbers, Grid::Direction dir
     for (int c = 1; c < Dimensions; ++c) approach = hn::Add(approach, hn::Mul(u[c], hn::Sub(v1[c], v2[c])));
     tension = hn::Add(tension, hn::Div(hn::Mul(hn::LoadU(d, numbers.damping[direction] + j), approach), square));
   }
-  if (numbers.has_limits) at_limit = hn::Or(at_limit, hn::Ge(square, hn::LoadU(d, numbers.limit[direction] + j)));
   return hn::IfThenZeroElse(hn::Eq(square, hn::Zero(d)), tension);
 }
 
-// Where the force on a row comes from and goes to: by the row above, and on the row below, which it replaces or is added to.
-template <int Dimensions, class T>
-struct Sums {
-  const T* from_above[Dimensions];
-  T* to_below[Dimensions];
-};
-
-// The force on the own corners of the cells from column j on, whose corners are `at` and whose springs have the tensions p.
-template <int Dimensions, bool HasBelow, bool Replace, class Columns, class T, class V, class Others>
-HWY_INLINE void compute_forces(const Columns& columns, const Corners<Dimensions, V>& at, const Sums<Dimensions, T>& sums, Index j,
-                               const V* p, const Others& others, Carry<Dimensions, V>& carry, V* force) {
+// The force on the own corners of the cells from column j on, whose corners are `at` and whose springs have the tensions p. `row` has the
+// forces of the row above, and takes those on the row below.
+template <int Dimensions, bool HasBelow, class Columns, class T, class V>
+HWY_INLINE void compute_forces(const Columns& columns, const Corners<Dimensions, V>& at, const Scratch<T>& row, Index j, const V* p,
+                               Carry<Dimensions, V>& carry, V* force) {
   const auto d = columns.d;
   for (int c = 0; c < Dimensions; ++c) {
     const V right = hn::Mul(p[Grid::Right], hn::Sub(at.x00[c], at.x01[c]));
@@ -143,42 +134,31 @@ HWY_INLINE void compute_forces(const Columns& columns, const Corners<Dimensions,
     }
     const V from_left = shift_up(d, to_next, carry.same_row[c]);
     carry.same_row[c] = to_next;
-    force[c] = hn::Add(hn::Sub(from_left, own), others(c, columns.load(sums.from_above[c] + j)));
+    force[c] = hn::Add(hn::Sub(from_left, own), columns.load(row.force[c] + j));
     if constexpr (HasBelow) {
       const V below_from_left = shift_up(d, diagonal, carry.below[c]);
       carry.below[c] = diagonal;
-      V below = hn::Add(hn::Add(down, anti), below_from_left);
-      if constexpr (!Replace) below = hn::Add(columns.load(sums.to_below[c] + j), below);
-      columns.store(below, sums.to_below[c] + j);
+      columns.store(hn::Add(hn::Add(down, anti), below_from_left), row.force[c] + j);
     }
   }
 }
 
-// What the rows of a band are computed from, and where their forces go.
+// What the rows of a band are computed from.
 template <int Dimensions, class T>
 struct BandPass {
   const GridView<T>& grid;
   const GridBand<T>& band;
   RowSource<T> positions, velocities;
   Scratch<T> scratch;
-  T* field;
   HWY_INLINE Points<Dimensions, T> points(const RowSource<T>& source, Index r) const { return {source.row(r), source.row(r + 1)}; }
 };
 
 // The forces on row r. A row of the band if IsOwn; of the row above, only the forces on the band count.
-template <int Dimensions, bool Damped, bool Replace, bool HasBelow, bool IsOwn, class T, class Others, class Use>
-HWY_INLINE void compute_row(const BandPass<Dimensions, T>& pass, Index r, AnySet<T>& at_limit, const Others& others, const Use& use) {
+template <int Dimensions, bool Damped, bool HasBelow, bool IsOwn, class T, class Use>
+HWY_INLINE void compute_row(const BandPass<Dimensions, T>& pass, Index r, const Use& use) {
   const Index columns_of_row = pass.grid.columns, start = pass.grid.first + r * columns_of_row;
   const Points<Dimensions, T> position = pass.points(pass.positions, r), velocity = pass.points(pass.velocities, r);
   const Numbers<T> numbers(pass.grid, r, Damped);
-  Sums<Dimensions, T> sums;
-  for (int c = 0; c < Dimensions; ++c) {
-    T* const component = Replace ? nullptr : pass.field + static_cast<std::size_t>(c) * pass.grid.points + start;
-    // the last row of a band leaves the next one to its band
-    const bool is_below_in_band = r + 1 < pass.band.end;
-    sums.from_above[c] = Replace || !IsOwn ? pass.scratch.force[c] : component;
-    sums.to_below[c] = Replace || !is_below_in_band ? pass.scratch.force[c] : component + columns_of_row;
-  }
   RowState<Dimensions, T> state;
   for_columns<T>(columns_of_row, [&](const auto& columns, Index j) HWY_ATTR {
     using V = typename std::remove_cvref_t<decltype(columns)>::V;
@@ -187,7 +167,7 @@ HWY_INLINE void compute_row(const BandPass<Dimensions, T>& pass, Index r, AnySet
     if constexpr (Damped) speed = load_corners<Dimensions, HasBelow>(columns, velocity, j);
     V p[Grid::directions], on_points[Dimensions];
     const auto compute = [&](Grid::Direction direction, const V* x1, const V* x2, const V* v1, const V* v2) HWY_ATTR {
-      p[direction] = compute_tension<Dimensions, Damped>(columns.d, numbers, direction, j, x1, x2, v1, v2, at_limit.mask(columns.d));
+      p[direction] = compute_tension<Dimensions, Damped>(columns.d, numbers, direction, j, x1, x2, v1, v2);
     };
     compute(Grid::Right, at.x00, at.x01, speed.x00, speed.x01);
     if constexpr (HasBelow) {
@@ -195,40 +175,36 @@ HWY_INLINE void compute_row(const BandPass<Dimensions, T>& pass, Index r, AnySet
       compute(Grid::Diagonal, at.x00, at.x11, speed.x00, speed.x11);
       compute(Grid::Anti, at.x01, at.x10, speed.x01, speed.x10);
     }
-    const auto add_others = [&](int c, V from_above) HWY_ATTR {
-      if constexpr (IsOwn)
-        return others(columns, start + j, c, from_above);
-      else
-        return from_above;
-    };
-    compute_forces<Dimensions, HasBelow, Replace>(columns, at, sums, j, p, add_others, state.carry(columns.d), on_points);
+    compute_forces<Dimensions, HasBelow>(columns, at, pass.scratch, j, p, state.carry(columns.d), on_points);
     if constexpr (IsOwn) use(columns, start + j, on_points);
   });
 }
 
 // In a function of its own: the loop over the rows of a whole grid remains small.
-template <int Dimensions, bool Damped, bool Replace, class T, class Others, class Use>
-HWY_NOINLINE void compute_row_above(const BandPass<Dimensions, T>& pass, AnySet<T>& at_limit, const Others& others, const Use& use) {
-  compute_row<Dimensions, Damped, Replace, true, false>(pass, pass.band.begin - 1, at_limit, others, use);
+template <int Dimensions, bool Damped, class T, class Use>
+HWY_NOINLINE void compute_row_above(const BandPass<Dimensions, T>& pass, const Use& use) {
+  compute_row<Dimensions, Damped, true, false>(pass, pass.band.begin - 1, use);
   if (pass.band.steps != nullptr) pass.band.steps->has_read_above();
 }
 
-// The rows of a band from the top: use(columns, first point, force on the points from there on). Forces on the row below go to the scratch,
-// whose forces are zero at first, or with Replace = false are added to the field `field`. others(columns, first point, c, force from above)
-// adds other forces to the latter. The band's first row takes the forces of the row above, which it computes again.
-template <int Dimensions, bool Damped, bool Replace, class T, class Others, class Use>
-HWY_INLINE void compute_band(const GridView<T>& grid, const GridBand<T>& band, const T* x, const T* v, const Scratch<T>& scratch, T* field,
-                             AnySet<T>& at_limit, const Others& others, const Use& use) {
-  const BandPass<Dimensions, T> pass{grid, band, {grid, band, x, band.x_below}, {grid, band, Damped ? v : x, band.v_below}, scratch, field};
-  if (band.begin > 0) compute_row_above<Dimensions, Damped, Replace>(pass, at_limit, others, use);
+// The rows of a band from the top: use(columns, first point, force on the points from there on). The band's first row takes the forces of
+// the row above, which it computes again. v: null without dashpots.
+template <int Dimensions, bool Damped, class T, class Use>
+HWY_INLINE void compute_band(const GridView<T>& grid, const GridBand<T>& band, const T* x, const T* v, const Use& use) {
+  HWY_ALIGN T buffer[scratch_rows * Grid::max_columns];
+  const Scratch<T> scratch(buffer, grid.pitch);
+  for (T* row : scratch.force)
+    for (Index j = 0; j < grid.pitch; ++j) row[j] = 0;
+  const BandPass<Dimensions, T> pass{grid, band, {grid, band, x, band.x_below}, {grid, band, Damped ? v : x, band.v_below}, scratch};
+  if (band.begin > 0) compute_row_above<Dimensions, Damped>(pass, use);
 
   const Index last = grid.rows - 1;
   for (Index r = band.begin; r < std::min(band.end, last); ++r) {
     // the last row of a band reads the copy of the next one
     if (r + 1 == band.end && band.steps != nullptr) band.steps->wait_for_below();
-    compute_row<Dimensions, Damped, Replace, true, true>(pass, r, at_limit, others, use);
+    compute_row<Dimensions, Damped, true, true>(pass, r, use);
   }
-  if (band.end > last) compute_row<Dimensions, Damped, Replace, false, true>(pass, last, at_limit, others, use);
+  if (band.end > last) compute_row<Dimensions, Damped, false, true>(pass, last, use);
 }
 
 }  // namespace hooke::HWY_NAMESPACE

@@ -22,8 +22,7 @@ struct GridView {
   Index points = 0;  // of the scene: the distance of the components of a field
   Index first = 0, rows = 0, columns = 0;
   Index pitch = 0;  // columns rounded up to whole vectors
-  CellNumbersOfEach stiffness, rest_length, damping, limit;
-  bool has_limits = false;
+  CellNumbersOfEach stiffness, rest_length, damping;
 };
 
 // How a thread that advances the rows of a band stays in step with those of the bands beside it.

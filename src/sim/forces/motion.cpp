@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/forces/field_kernel.h"
-#include "sim/model/portable_math.h"
+#include "sim/forces/kick.h"
 #include "sim/model/state.h"
 
 namespace hooke {
@@ -20,7 +20,6 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
   motion.x.resize(size);
   motion.v.resize(size);
   motion.a.resize(size);
-  if (plan.forces_depend_on_velocity) motion.forces.resize(size);
   for (int c = 0; c < plan.dimensions; ++c) {
     double* x = motion.x.data() + static_cast<std::size_t>(c) * plan.points;
     double* v = motion.v.data() + static_cast<std::size_t>(c) * plan.points;
@@ -31,11 +30,10 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
     }
   }
   motion.acceleration_is_current = false;
-  motion.contents = Motion::Forces::None;
-  motion.moved = {};
+  motion.power.reset();
   motion.memory = state.memory;
-  motion.force_evaluations = motion.factorizations = motion.solves = motion.sweeps = motion.dashpot_sweeps = motion.unconverged_solves = 0;
-  motion.contact_tests = motion.contact_impulses = motion.limit_sweeps = motion.crossings = 0;
+  motion.counts = {};
+  motion.crossings = 0;
   motion.collider_work = motion.break_work = motion.limit_work = motion.hand_work = motion.abs_hand_work = motion.force_work = 0.0;
   motion.local_error = motion.contact_work = motion.reversible_work = 0.0;
   motion.drag_work = motion.dashpot_work = motion.limit_gain = 0.0;
@@ -59,18 +57,15 @@ void unpack(const Plan& plan, const Motion& motion, State& state) {
 
 namespace {
 
-void kick(const Plan& plan, const Field& a, double h, Field& velocity) {
-  double* v = velocity.data();
-  if (plan.drag == 0.0) {
-    add_scaled(v, h, a.data(), velocity.size());
-    return;
-  }
+// A held point keeps the velocity of the hand, and nailed ones are at rest: their acceleration is zero.
+void kick(const Plan& plan, const Field& a, double h, Field& v) {
+  const Kick<double> kick = kick_over(plan.drag, h);
+  if (plan.drag == 0.0) return add_scaled(v.data(), kick.weight, a.data(), v.size());
 
   Vec3 held{0.0};
-  for (int c = 0; plan.held && c < plan.dimensions; ++c) held[c] = v[static_cast<std::size_t>(c) * plan.points + *plan.held];
-  const double decay = portable::exp(-plan.drag * h), weight = -portable::expm1(-plan.drag * h) / plan.drag;
-  scale_and_add_scaled(v, decay, weight, a.data(), velocity.size());
-  for (int c = 0; plan.held && c < plan.dimensions; ++c) v[static_cast<std::size_t>(c) * plan.points + *plan.held] = held[c];
+  for (int c = 0; plan.hand.held && c < plan.dimensions; ++c) held[c] = v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held];
+  scale_and_add_scaled(v.data(), kick.decay, kick.weight, a.data(), v.size());
+  for (int c = 0; plan.hand.held && c < plan.dimensions; ++c) v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held] = held[c];
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "sim/forces/dashpots/dashpot_sweeps.h"
@@ -17,28 +18,8 @@ struct BrokenSpring {
   double dashpot_power = 0.0;  // [W]
 };
 
-struct Motion {
-  double time = 0.0;
-  Field x, v;  // positions [m] and velocities [m/s]
-  Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
-  // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
-  bool acceleration_is_current = false;
-  // Forces at x [N] that a method leaves at the end of its step for the start of the next one, if acceleration_is_current: all but the
-  // listed ones. Where they are Open, whoever computes the power of those adds them, at (x, v) and the time, so that they are Complete.
-  // External: gravity and the listed ones instead, as they acted at the end of the step, at x and a velocity near v.
-  enum class Forces { None, Unlisted, Open, Complete, External };
-  Field forces;
-  Forces contents = Forces::None;
-  // [W], of the listed forces, if External: times v, and times the velocity at which they were computed.
-  double power = 0.0, power_as_computed = 0.0;
-  // Where contact has moved points since they were current: the first of them, and the one after the last. Then `a` is still current at the
-  // points that no spring joins to these. Nowhere unless contact alone moved points, just after the step.
-  struct Moved {
-    Index first = 0, end = 0;
-  };
-  Moved moved;
-  MethodMemory memory;
-  // since the start of the frame
+// What was done since the start of the frame.
+struct StepCounts {
   long force_evaluations = 0;
   long factorizations = 0;
   long solves = 0;              // linear systems solved with a factorization
@@ -49,6 +30,19 @@ struct Motion {
   // of contact of points, faces and springs with each other: pairs that were examined, on paths once for each distance, and impulses
   // between two, those of each sweep
   long contact_tests = 0, contact_impulses = 0;
+};
+
+struct Motion {
+  double time = 0.0;
+  Field x, v;  // positions [m] and velocities [m/s]
+  Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
+  // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
+  bool acceleration_is_current = false;
+  // [W], of the listed forces at the end of the method's last step, but for what follows from potentials; none: the method does not know
+  // it.
+  std::optional<double> power;
+  MethodMemory memory;
+  StepCounts counts;
   // at the start of the frame: edges that pass through faces, in flat scenes springs through each other, of those that contact keeps apart
   long crossings = 0;
   // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
@@ -72,14 +66,15 @@ class Structure {
   explicit Structure(const Plan& plan)
       : points_(plan.points),
         dimensions_(plan.dimensions),
-        runs_(plan.runs),
-        hinge_begin_(plan.hinges.begin),
-        hinge_column_(plan.hinges.column),
-        enclosure_edges_(plan.enclosures.edges) {}
+        runs_(plan.spring.runs),
+        hinge_begin_(plan.force_data.hinges.begin),
+        hinge_column_(plan.force_data.hinges.column),
+        enclosure_edges_(plan.force_data.enclosures.edges) {}
   virtual ~Structure() = default;
   bool fits(const Plan& plan) const {
-    return plan.points == points_ && plan.dimensions == dimensions_ && plan.runs == runs_ && plan.hinges.begin == hinge_begin_ &&
-           plan.hinges.column == hinge_column_ && plan.enclosures.edges == enclosure_edges_;
+    return plan.points == points_ && plan.dimensions == dimensions_ && plan.spring.runs == runs_ &&
+           plan.force_data.hinges.begin == hinge_begin_ && plan.force_data.hinges.column == hinge_column_ &&
+           plan.force_data.enclosures.edges == enclosure_edges_;
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/forces/constants.h"
 #include "sim/model/force_term.h"
 #include "sim/model/portable_math.h"
 
@@ -28,8 +29,7 @@ double Passage::longest_step(int order, bool dissipates) const {
   const double resolved = length / (steps * speed);
 
   // a force so weak against the motion that one step in it, wherever it is, changes the energy little
-  constexpr double max_change = 0.01;
-  return std::max(resolved, max_change * energy / (acceleration * speed));
+  return std::max(resolved, max_unresolved_change * energy / (acceleration * speed));
 }
 
 }  // namespace hooke

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/forces/bands.h"
 #include "sim/forces/grid_kernel.h"
-#include "sim/forces/single_kernel.h"
 
 namespace hooke {
 namespace {
@@ -12,16 +10,6 @@ namespace {
 constexpr Index single_lanes = 16;  // of the widest vectors
 
 Index round_up(Index count) { return (count + single_lanes - 1) / single_lanes * single_lanes; }
-
-// Points first .. end - 1, on which no spring acts.
-void advance_alone(const SinglePass& pass, Index pitch, Index first, Index end, float* x, float* v) {
-  for (Index i = first; i < end; ++i)
-    for (int c = 0; c < pass.dimensions; ++c) {
-      const std::size_t at = static_cast<std::size_t>(c) * pitch + i;
-      if (pass.inverse_mass[i] != 0.0f) v[at] = pass.decay * v[at] + pass.weight * pass.acceleration[c];
-      x[at] += pass.drift * v[at];
-    }
-}
 
 }  // namespace
 
@@ -76,31 +64,21 @@ void SinglePrecision::store(const Plan& plan, Motion& motion) const {
     }
 }
 
-void SinglePrecision::advance(const Plan& plan, const GridPass& pass, int steps, Motion& motion) {
+void SinglePrecision::advance(const Plan& plan, const LeapfrogPass<double>& pass, int steps, Motion& motion) {
   load(plan, motion);
-  numbers_.resize(plan.grids.size());
-  views_.resize(plan.grids.size());
-  for (std::size_t g = 0; g < plan.grids.size(); ++g) views_[g] = view_of(plan.grids[g], numbers_[g]);
-  SinglePass single{.dimensions = plan.dimensions,
-                    .decay = static_cast<float>(pass.decay),
-                    .weight = static_cast<float>(pass.weight),
-                    .drift = static_cast<float>(pass.drift),
-                    .inverse_mass = inverse_mass_.data()};
-  for (int c = 0; c < plan.dimensions; ++c) single.acceleration[c] = static_cast<float>(plan.acceleration[c]);
-
-  float *const x = x_.data(), *const v = v_.data();
-  const auto advance_grid = [&](const GridView<float>& grid, int passes) {
-    for_bands(plan, grid, passes, true, x, static_cast<const float*>(nullptr),
-              [&](int, int, const GridBand<float>& band) { advance_band(grid, band, single, x, v); });
-  };
-  // grids and points do not act on each other
-  Index next = 0;
-  for (const GridView<float>& grid : views_) {
-    for (int step = 0; step < steps; ++step) advance_alone(single, pitch_, next, grid.first, x, v);
-    advance_grid(grid, steps);
-    next = grid.first + grid.rows * grid.columns;
-  }
-  for (int step = 0; step < steps; ++step) advance_alone(single, pitch_, next, plan.points, x, v);
+  numbers_.resize(plan.spring.grids.size());
+  views_.resize(plan.spring.grids.size());
+  for (std::size_t g = 0; g < plan.spring.grids.size(); ++g) views_[g] = view_of(plan.spring.grids[g], numbers_[g]);
+  LeapfrogPass<float> single{.dimensions = plan.dimensions,
+                             .stride = pitch_,
+                             .inverse_mass = inverse_mass_.data(),
+                             .x = x_.data(),
+                             .drifted = x_.data(),
+                             .v = v_.data(),
+                             .kick = {static_cast<float>(pass.kick.decay), static_cast<float>(pass.kick.weight)},
+                             .drift = static_cast<float>(pass.drift)};
+  for (int c = 0; c < plan.dimensions; ++c) single.acceleration[c] = static_cast<float>(pass.acceleration[c]);
+  hooke::advance(plan, views_, single, steps);
   store(plan, motion);
 }
 

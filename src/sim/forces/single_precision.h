@@ -9,14 +9,15 @@
 
 namespace hooke {
 
-struct GridPass;
+template <class T>
+struct LeapfrogPass;
 
 // Positions relative to the middle of the scene and velocities, each rounded to 24 bits: of 1 m, 6e-8 m. The state between calls has double
 // precision.
 class SinglePrecision {
  public:
   // `steps` passes over all points, on which nothing acts but gravity, air and springs of grids without dashpots.
-  void advance(const Plan& plan, const GridPass& pass, int steps, Motion& motion);
+  void advance(const Plan& plan, const LeapfrogPass<double>& pass, int steps, Motion& motion);
 
  private:
   struct Values {

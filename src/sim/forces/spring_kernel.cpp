@@ -95,9 +95,9 @@ HWY_INLINE void compute_block(const Plan& plan, Index packed, Index count, const
   const hn::ScalableTag<double> wide;
   const hn::CappedTag<double, 1> single;
   const Index lanes = static_cast<Index>(hn::Lanes(wide));
-  const double* stiffness = plan.stiffness.data() + packed;
-  const double* rest_length = plan.rest_length.data() + packed;
-  const double* damping = Damped ? plan.damping.data() + packed : nullptr;
+  const double* stiffness = plan.spring.stiffness.data() + packed;
+  const double* rest_length = plan.spring.rest_length.data() + packed;
+  const double* damping = Damped ? plan.spring.damping.data() + packed : nullptr;
   if (count >= lanes) {
     for (Index e = 0; e < count; e += lanes)
       compute_forces_of<Dimensions, Damped>(wide, e + lanes <= count ? e : count - lanes, x, v, stiffness, rest_length, damping, force);
@@ -185,147 +185,11 @@ HWY_INLINE const SpringRun* add_short_runs(const Plan& plan, const SpringRun* ru
   return run;
 }
 
-#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 32
-// In a small net whose runs are short, points and sums are in fours, one vector each: a spring reads two and adds to two, instead of six
-// numbers each.
-constexpr Index max_points_in_fours = 512;
-bool is_in_fours(const Plan& plan) {
-  constexpr Index max_length = 10;
-  return plan.points <= max_points_in_fours && plan.springs <= max_length * static_cast<Index>(plan.runs.size());
-}
-
-using Four = hn::CappedTag<double, 4>;
-
-template <int Dimensions>
-HWY_INLINE void pack_in_fours(const double* field, Index n, double* fours) {
-  const hn::ScalableTag<double> d;
-  const Index lanes = static_cast<Index>(hn::Lanes(d));
-  const double* z = field + (Dimensions - 1) * static_cast<std::size_t>(n);
-  Index i = 0;
-  for (; i + lanes <= n; i += lanes)
-    hn::StoreInterleaved4(hn::LoadU(d, field + i), hn::LoadU(d, field + n + i), Dimensions == 3 ? hn::LoadU(d, z + i) : hn::Zero(d),
-                          hn::Zero(d), d, fours + 4 * i);
-  for (; i < n; ++i)
-    for (int c = 0; c < 4; ++c) fours[4 * i + c] = c < Dimensions ? field[c * n + i] : 0.0;
-}
-template <int Dimensions>
-HWY_INLINE void unpack_from_fours(const double* fours, Index n, double* field) {
-  const hn::ScalableTag<double> d;
-  const Index lanes = static_cast<Index>(hn::Lanes(d));
-  Index i = 0;
-  for (; i + lanes <= n; i += lanes) {
-    hn::Vec<decltype(d)> x, y, z, zero;
-    hn::LoadInterleaved4(d, fours + 4 * i, x, y, z, zero);
-    hn::StoreU(x, d, field + i);
-    hn::StoreU(y, d, field + n + i);
-    if constexpr (Dimensions == 3) hn::StoreU(z, d, field + 2 * n + i);
-  }
-  for (; i < n; ++i)
-    for (int c = 0; c < Dimensions; ++c) field[c * n + i] = fours[4 * i + c];
-}
-
-// The springs of some runs.
-struct BlockInFours {
-  HWY_ALIGN double along[4 * block], force[4 * block];
-  double stiffness[block], rest_length[block];
-};
-
-// As compute_forces_of, in fours.
-template <int Dimensions, class D>
-HWY_INLINE void compute_fours_of(D d, Index e, BlockInFours& springs) {
-  using V = hn::Vec<D>;
-  V along[4];
-  hn::LoadInterleaved4(d, springs.along + 4 * e, along[0], along[1], along[2], along[3]);
-  V length_squared = hn::Zero(d);
-  for (int c = 0; c < Dimensions; ++c) length_squared = hn::Add(length_squared, hn::Mul(along[c], along[c]));
-  const V length = hn::Sqrt(length_squared);
-  const V tension = hn::Mul(hn::LoadU(d, springs.stiffness + e), hn::Sub(length, hn::LoadU(d, springs.rest_length + e)));
-  const V per_length = hn::IfThenZeroElse(hn::Eq(length, hn::Zero(d)), hn::Div(tension, length));
-  hn::StoreInterleaved4(hn::Mul(per_length, along[0]), hn::Mul(per_length, along[1]),
-                        Dimensions == 3 ? hn::Mul(per_length, along[2]) : hn::Zero(d), hn::Zero(d), d, springs.force + 4 * e);
-}
-
-template <int Dimensions>
-HWY_INLINE void compute_fours(Index count, BlockInFours& springs) {
-  const hn::ScalableTag<double> wide;
-  const hn::CappedTag<double, 1> single;
-  const Index lanes = static_cast<Index>(hn::Lanes(wide));
-  if (count >= lanes) {
-    for (Index e = 0; e < count; e += lanes) compute_fours_of<Dimensions>(wide, e + lanes <= count ? e : count - lanes, springs);
-  } else {
-    for (Index e = 0; e < count; ++e) compute_fours_of<Dimensions>(single, e, springs);
-  }
-}
-
-// At most `block` springs of a run, as a SpringRun.
-struct RunPart {
-  Index first, second, count;
-};
-
-// The forces of these springs, in the order of add_run.
-HWY_INLINE void accumulate_fours(const RunPart& run, const double* term, double* f) {
-  const Four four;
-  double *const first = f + 4 * run.first, *const second = f + 4 * run.second;
-  if (run.second == run.first + 1) {
-    auto before = hn::Zero(four);
-    for (Index e = 0; e < run.count; ++e) {
-      const auto next = hn::LoadU(four, term + 4 * e);
-      hn::StoreU(hn::Add(hn::LoadU(four, first + 4 * e), hn::Sub(before, next)), four, first + 4 * e);
-      before = next;
-    }
-    double* const last = first + 4 * run.count;
-    hn::StoreU(hn::Add(hn::LoadU(four, last), hn::Sub(before, hn::Zero(four))), four, last);
-    return;
-  }
-  for (Index e = 0; e < run.count; ++e)
-    hn::StoreU(hn::Sub(hn::LoadU(four, first + 4 * e), hn::LoadU(four, term + 4 * e)), four, first + 4 * e);
-  for (Index e = 0; e < run.count; ++e)
-    hn::StoreU(hn::Add(hn::LoadU(four, second + 4 * e), hn::LoadU(four, term + 4 * e)), four, second + 4 * e);
-}
-
-template <int Dimensions>
-void add_forces_in_fours(const Plan& plan, const double* x, double* f) {
-  const Four four;
-  HWY_ALIGN double x_of[4 * max_points_in_fours], f_of[4 * max_points_in_fours];
-  BlockInFours springs;
-  pack_in_fours<Dimensions>(x, plan.points, x_of);
-  pack_in_fours<Dimensions>(f, plan.points, f_of);
-  RunPart parts[block];
-  Index count = 0, part_count = 0;
-  const auto add_block = [&]() HWY_ATTR {
-    compute_fours<Dimensions>(count, springs);
-    const double* term = springs.force;
-    for (const RunPart* part = parts; part != parts + part_count; term += 4 * part++->count) accumulate_fours(*part, term, f_of);
-    count = part_count = 0;
-  };
-  for (const SpringRun& run : plan.loose_runs)
-    for (Index start = 0; start < run.count; start += block) {
-      const RunPart part{run.first + start, run.second + start, HWY_MIN(block, run.count - start)};
-      if (count + part.count > block) add_block();
-      for (Index e = 0; e < part.count; ++e) {
-        springs.stiffness[count + e] = plan.stiffness[run.begin + start + e];
-        springs.rest_length[count + e] = plan.rest_length[run.begin + start + e];
-        hn::StoreU(hn::Sub(hn::LoadU(four, x_of + 4 * (part.first + e)), hn::LoadU(four, x_of + 4 * (part.second + e))), four,
-                   springs.along + 4 * (count + e));
-      }
-      count += part.count;
-      parts[part_count++] = part;
-    }
-  if (count > 0) add_block();
-  unpack_from_fours<Dimensions>(f_of, plan.points, f);
-}
-#endif
-
 template <int Dimensions, bool Damped>
 void add_forces(const Plan& plan, const double* x, const double* v, double* f) {
-#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 32
-  if constexpr (!Damped) {
-    if (is_in_fours(plan)) return add_forces_in_fours<Dimensions>(plan, x, f);
-  }
-#endif
   HWY_ALIGN double force[3][block + 2 * padding] = {};
-  const SpringRun* const end = plan.loose_runs.data() + plan.loose_runs.size();
-  for (const SpringRun* run = plan.loose_runs.data(); run != end;) {
+  const SpringRun* const end = plan.spring.loose_runs.data() + plan.spring.loose_runs.size();
+  for (const SpringRun* run = plan.spring.loose_runs.data(); run != end;) {
     if (is_gathered(*run))
       run = add_short_runs<Dimensions, Damped>(plan, run, end, x, v, f, force);
     else
@@ -350,7 +214,7 @@ HWY_EXPORT(add_damped_forces_2d);
 HWY_EXPORT(add_damped_forces_3d);
 
 void add_loose_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {
-  if (plan.loose_runs.empty()) return;
+  if (plan.spring.loose_runs.empty()) return;
   if (plan.dimensions == 2)
     v != nullptr ? HWY_DYNAMIC_DISPATCH(add_damped_forces_2d)(plan, x, v, f) : HWY_DYNAMIC_DISPATCH(add_forces_2d)(plan, x, v, f);
   else
@@ -359,7 +223,7 @@ void add_loose_spring_forces(const Plan& plan, const double* x, const double* v,
 
 void add_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {
   add_loose_spring_forces(plan, x, v, f);
-  for (const Grid& grid : plan.grids) add_grid_forces(plan, grid, x, v, f);
+  for (const Grid& grid : plan.spring.grids) add_grid_forces(plan, grid, x, v, f);
 }
 
 }  // namespace hooke

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/forces/constants.h"
 #include "sim/forces/energy/plan_energy.h"
 
 namespace hooke {
@@ -39,9 +40,6 @@ double energy_of(const Plan& plan, const Motion& motion) {
   return kinetic + stored_energy(plan, motion.x);
 }
 
-// Of the length to the limit: a spring that is longer was not shortened before.
-constexpr double max_conserving_ratio = 1.01;
-
 // Moves the ends of one spring to the distance `max` and stops their separation. As the distance decreases, they rotate faster about their
 // common center, so that l times the transverse velocity is conserved and a swing loses nothing. This does not apply to a spring that is
 // far too long after a step that was too coarse, because the ends would be accelerated in every round.
@@ -68,14 +66,13 @@ void limit_spring(const Plan& plan, Motion& motion, Index first, Index second, d
 
 // One round over all springs. Returns whether any was too long.
 bool limit_all_springs(const Plan& plan, Motion& motion) {
-  constexpr double tolerance = 1e-9;  // of the length
   bool any = false;
-  for (const SpringRun& run : plan.runs) {
-    if (!any_reaches_limit(plan, run, plan.max_length, motion.x)) continue;
+  for (const SpringRun& run : plan.spring.runs) {
+    if (!any_reaches_limit(plan, run, plan.spring.max_length, motion.x)) continue;
     for (Index e = 0; e < run.count; ++e) {
-      const double max = plan.max_length[run.begin + e];
+      const double max = plan.spring.max_length[run.begin + e];
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
-      if (!(length > max * (1.0 + tolerance)) || !std::isfinite(length)) continue;
+      if (!(length > max * (1.0 + limit_tolerance)) || !std::isfinite(length)) continue;
       limit_spring(plan, motion, run.first + e, run.second + e, length, max);
       any = true;
     }
@@ -89,7 +86,7 @@ void stop_overlong_springs(const Plan& plan, Motion& motion) {
   const auto stop = [&](Index spring, Index first, Index second) {
     const double length = std::sqrt(squared_length(plan, motion.x, first, second)), w1 = plan.inverse_mass[first],
                  w2 = plan.inverse_mass[second];
-    if (!(length > max_conserving_ratio * plan.max_length[spring]) || !std::isfinite(length) || w1 + w2 == 0.0) return;
+    if (!(length > max_conserving_ratio * plan.spring.max_length[spring]) || !std::isfinite(length) || w1 + w2 == 0.0) return;
     for (int c = 0; c < plan.dimensions; ++c) {
       const std::size_t at = static_cast<std::size_t>(c) * plan.points;
       const double impulse = (motion.v[at + second] - motion.v[at + first]) / (w1 + w2);
@@ -97,9 +94,9 @@ void stop_overlong_springs(const Plan& plan, Motion& motion) {
       motion.v[at + second] -= w2 * impulse;
     }
   };
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) stop(run.begin + e, run.first + e, run.second + e);
-  for (auto run = plan.runs.rbegin(); run != plan.runs.rend(); ++run)
+  for (auto run = plan.spring.runs.rbegin(); run != plan.spring.runs.rend(); ++run)
     for (Index e = run->count; e-- > 0;) stop(run->begin + e, run->first + e, run->second + e);
 }
 
@@ -117,30 +114,22 @@ double separation_speed(const Plan& plan, const Motion& motion, Index first, Ind
 double dashpot_power(const Plan& plan, const Motion& motion, Index spring, Index first, Index second, double length) {
   if (!plan.has_dashpots() || length == 0.0) return 0.0;
   const double speed = separation_speed(plan, motion, first, second, length);
-  return plan.damping[spring] * speed * speed;
+  return plan.spring.damping[spring] * speed * speed;
 }
 
 // A spring that is switched off carries no force and cannot break.
 bool carries_force(const Plan& plan, Index spring) {
-  return plan.stiffness[spring] != 0.0 || (plan.has_dashpots() && plan.damping[spring] > 0.0);
+  return plan.spring.stiffness[spring] != 0.0 || (plan.has_dashpots() && plan.spring.damping[spring] > 0.0);
 }
 
 }  // namespace
 
-bool any_reaches_limit(const Plan& plan, const std::vector<SpringRun>& runs, const Field& x) {
-  for (const std::vector<double>* limit : {&plan.break_length, &plan.max_length})
-    if (!limit->empty() &&
-        std::any_of(runs.begin(), runs.end(), [&](const SpringRun& run) { return any_reaches_limit(plan, run, *limit, x); }))
-      return true;
-  return false;
-}
-
 double time_to_break(const Plan& plan, const Motion& motion) {
   double min = std::numeric_limits<double>::infinity();
-  if (plan.break_length.empty()) return min;
-  for (const SpringRun& run : plan.runs)
+  if (plan.spring.break_length.empty()) return min;
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      const double limit = plan.break_length[run.begin + e];
+      const double limit = plan.spring.break_length[run.begin + e];
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
       if (!std::isfinite(limit) || !carries_force(plan, run.begin + e) || !(length < limit) || length == 0.0) continue;
       const double speed = separation_speed(plan, motion, run.first + e, run.second + e, length);
@@ -151,18 +140,18 @@ double time_to_break(const Plan& plan, const Motion& motion) {
 
 bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
   const std::size_t before = broken.size();
-  for (const SpringRun& run : plan.runs) {
-    if (!any_reaches_limit(plan, run, plan.break_length, motion.x)) continue;
+  for (const SpringRun& run : plan.spring.runs) {
+    if (!any_reaches_limit(plan, run, plan.spring.break_length, motion.x)) continue;
     for (Index e = 0; e < run.count; ++e) {
       const Index s = run.begin + e;
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
-      if (!(length >= plan.break_length[s]) || !carries_force(plan, s)) continue;
-      motion.breaks.push_back({plan.spring_index[s], motion.time, dashpot_power(plan, motion, s, run.first + e, run.second + e, length)});
-      const double stretch = length - plan.rest_length[s];
-      motion.break_work -= 0.5 * plan.stiffness[s] * stretch * stretch;
-      plan.stiffness[s] = 0.0;
-      if (plan.has_dashpots()) plan.damping[s] = 0.0;
-      broken.push_back(plan.spring_index[s]);
+      if (!(length >= plan.spring.break_length[s]) || !carries_force(plan, s)) continue;
+      motion.breaks.push_back({plan.spring.index[s], motion.time, dashpot_power(plan, motion, s, run.first + e, run.second + e, length)});
+      const double stretch = length - plan.spring.rest_length[s];
+      motion.break_work -= 0.5 * plan.spring.stiffness[s] * stretch * stretch;
+      plan.spring.stiffness[s] = 0.0;
+      if (plan.has_dashpots()) plan.spring.damping[s] = 0.0;
+      broken.push_back(plan.spring.index[s]);
     }
   }
   std::sort(broken.begin(), broken.end());
@@ -172,14 +161,13 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
 }
 
 bool limit_strain(const Plan& plan, Motion& motion) {
-  const auto is_too_long = [&](const SpringRun& run) { return any_reaches_limit(plan, run, plan.max_length, motion.x); };
-  if (std::none_of(plan.runs.begin(), plan.runs.end(), is_too_long)) return false;
+  const auto is_too_long = [&](const SpringRun& run) { return any_reaches_limit(plan, run, plan.spring.max_length, motion.x); };
+  if (std::none_of(plan.spring.runs.begin(), plan.spring.runs.end(), is_too_long)) return false;
 
-  constexpr int max_rounds = 16;
   const double before = energy_of(plan, motion);
   bool any = false, is_met = false;
-  for (int round = 0; round < max_rounds && !is_met; ++round) {
-    ++motion.limit_sweeps;
+  for (int round = 0; round < max_limit_rounds && !is_met; ++round) {
+    ++motion.counts.limit_sweeps;
     is_met = !limit_all_springs(plan, motion);
     any = any || !is_met;
   }

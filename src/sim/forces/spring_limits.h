@@ -5,22 +5,19 @@
 
 namespace hooke {
 
-// Whether any spring of the runs is as long as the length at which it breaks or is shortened; false if there are no such lengths.
-bool any_reaches_limit(const Plan& plan, const std::vector<SpringRun>& runs, const Field& x);
-
 // [s], until a spring that separates reaches the length at which it breaks, at the velocities of this motion; infinity: none does.
 double time_to_break(const Plan& plan, const Motion& motion);
 
-// Sets k and d of the packed springs at least as long as plan.break_length to zero, and adds their indices in the System to
+// Sets k and d of the packed springs at least as long as plan.spring.break_length to zero, and adds their indices in the System to
 // `broken`, which stays in ascending order. Subtracts their elastic energy from motion.break_work, and lists them in motion.breaks. Returns
 // whether any broke.
 bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken);
 
-// Shortens springs longer than plan.max_length, one after another in several rounds, by moving both ends in proportion to their inverse
-// masses; ends that still separate are stopped along the spring (X. Provot, Deformation constraints in a mass-spring model, Graphics
-// Interface 1995; with the velocities as in an inelastic impact). Conserves linear momentum, and angular momentum when shortening by at
-// most 1 %, but not energy: the change is added to motion.limit_work. Springs that remain more than 1 % too long, because nails or other
-// springs keep their ends apart, stop the motion of their ends relative to each other. Returns whether any spring was too long.
+// Shortens springs longer than plan.spring.max_length, one after another in several rounds, by moving both ends in proportion to their
+// inverse masses; ends that still separate are stopped along the spring (X. Provot, Deformation constraints in a mass-spring model,
+// Graphics Interface 1995; with the velocities as in an inelastic impact). Conserves linear momentum, and angular momentum when shortening
+// by at most 1 %, but not energy: the change is added to motion.limit_work. Springs that remain more than 1 % too long, because nails or
+// other springs keep their ends apart, stop the motion of their ends relative to each other. Returns whether any spring was too long.
 bool limit_strain(const Plan& plan, Motion& motion);
 
 }  // namespace hooke

@@ -18,7 +18,7 @@ struct SpringTangent {
 // to an end that is not free is ignored.
 template <class Use>
 void for_each_spring_tangent(const Plan& plan, const Field& x, const Use& use) {
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const Index i = run.first + e, j = run.second + e, s = run.begin + e;
       if (plan.inverse_mass[i] == 0.0 && plan.inverse_mass[j] == 0.0) continue;
@@ -29,10 +29,10 @@ void for_each_spring_tangent(const Plan& plan, const Field& x, const Use& use) {
         tangent.u[c] = x[start + i] - x[start + j];
         square += tangent.u[c] * tangent.u[c];
       }
-      const double length = std::sqrt(square), k = plan.stiffness[s];
+      const double length = std::sqrt(square), k = plan.spring.stiffness[s];
       for (double& component : tangent.u) component = length > 0.0 ? component / length : 0.0;
       tangent.axial = k;
-      tangent.transverse = length > 0.0 ? std::max(0.0, k * (1.0 - plan.rest_length[s] / length)) : k;
+      tangent.transverse = length > 0.0 ? std::max(0.0, k * (1.0 - plan.spring.rest_length[s] / length)) : k;
       use(i, j, s, tangent);
     }
 }

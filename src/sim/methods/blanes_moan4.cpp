@@ -4,16 +4,14 @@
 // has modes in the whole range. Drag is part of the kicks and exact there; because it is symmetric, the composition keeps its fourth order
 // with drag, although the conditions of the paper are for forces without velocities. Dashpots are split off as in velocity_verlet, which
 // makes it second order with them. The same holds for forces that depend on velocity.
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "sim/forces/dashpots/dashpot.h"
-#include "sim/forces/flight.h"
 #include "sim/forces/forces.h"
-#include "sim/forces/spring_limits.h"
+#include "sim/forces/kick.h"
+#include "sim/forces/leapfrog_pass.h"
 #include "sim/methods/rows.h"
-#include "sim/model/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -35,103 +33,52 @@ constexpr std::array<double, drifts> drift_weight = [] {
 constexpr double prediction_weight(int kick) { return kick == drifts ? kick_weight[kick] : 0.5 * kick_weight[kick]; }
 
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
-  work.size_fields(2, motion);
+  work.size_fields(plan.force_data.depend_on_velocity ? 1 : 0, motion);
   if (plan.has_dashpots()) work.dashpots.prepare(plan, 0.5 * h);
 }
 
-void accelerate(const Plan& plan, double time, const Field& v, Motion& motion) {
-  compute_position_forces(plan, time, motion.x, v, motion.a);
-  divide_by_mass(plan, motion.a);
-  ++motion.force_evaluations;
-}
-
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
-  if (plan.has_dashpots()) work.dashpots.sweep(plan, SweepDirection::Forward, motion.acceleration_is_current, motion.x, motion.v);
+  const bool damped = plan.has_dashpots();
+  if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.x, motion.v);
 
   // the last kick's acceleration is the next step's first
-  if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
-  kick(plan, motion, kick_weight[0] * h);
-  drift(motion, drift_weight[0] * h);
+  if (motion.acceleration_is_current)
+    kick_and_drift(plan, motion, kick_weight[0] * h, drift_weight[0] * h);
+  else
+    accelerate_kick_and_drift(plan, motion.time, motion, kick_weight[0] * h, drift_weight[0] * h);
   double time = motion.time;
-  Field& velocity = work.fields[1];
+  Field& velocity = work.fields[0];
   for (int i = 0; i < drifts; ++i) {
     time += drift_weight[i] * h;
     const double next_drift = i + 1 < drifts ? drift_weight[i + 1] * h : 0.0;
-    if (can_accelerate_and_kick(plan)) {
-      accelerate_and_kick(plan, time, motion, kick_weight[i + 1] * h, next_drift);
-      ++motion.force_evaluations;
+    if (!plan.force_data.depend_on_velocity) {
+      accelerate_kick_and_drift(plan, time, motion, kick_weight[i + 1] * h, next_drift);
       continue;
     }
-    if (plan.forces_depend_on_velocity) predict_velocity(plan, motion, prediction_weight(i + 1) * h, velocity);
-    accelerate(plan, time, plan.forces_depend_on_velocity ? velocity : motion.v, motion);
-    kick(plan, motion, kick_weight[i + 1] * h);
-    if (i + 1 < drifts) drift(motion, next_drift);
+    predict_velocity(plan, motion, prediction_weight(i + 1) * h, velocity);
+    compute_position_forces(plan, time, motion.x, velocity, motion.a);
+    divide_by_mass(plan, motion.a);
+    ++motion.counts.force_evaluations;
+    kick_and_drift(plan, motion, kick_weight[i + 1] * h, next_drift);
   }
-  motion.acceleration_is_current = !plan.forces_depend_on_velocity;
+  motion.acceleration_is_current = !plan.force_data.depend_on_velocity;
 
-  if (plan.has_dashpots()) work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
-  motion.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
-}
-
-void accelerate_and_kick_last(const Plan& plan, Motion& motion, double h) {
-  if (can_accelerate_and_kick(plan)) {
-    accelerate_and_kick(plan, motion.time, motion, kick_weight[drifts] * h, 0.0);
-    ++motion.force_evaluations;
-  } else {
-    accelerate(plan, motion.time, motion.v, motion);
-    kick(plan, motion, kick_weight[drifts] * h);
-  }
-  motion.acceleration_is_current = true;
-}
-
-// Kicks and drifts without accelerations that are stored. Without sweeps in between, the last kick of a step and the first of the next are
-// one.
-void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) {
-  const bool damped = plan.has_dashpots();
-  double start = motion.time;
-  bool is_kicked = false;
-  for (int i = 0; i < count && !flight.was_interrupted(); ++i) {
-    if (damped && i > 0) flight.any_at_limit = flight.any_at_limit || any_reaches_limit(plan, plan.runs, motion.x);
-    if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.acceleration_is_current, motion.x, motion.v);
-    if (!is_kicked) {
-      if (!motion.acceleration_is_current) accelerate(plan, start, motion.v, motion);
-      kick_and_drift_with_known(plan, motion, kick_weight[0] * h, drift_weight[0] * h, {}, flight);
-    }
-    motion.time = start + drift_weight[0] * h;
-    for (int k = 1; k < drifts; ++k) {
-      kick_and_drift(plan, motion, kick_weight[k] * h, drift_weight[k] * h, {}, flight);
-      ++motion.force_evaluations;
-      motion.time += drift_weight[k] * h;
-    }
-    start += h;
-    motion.time = start;
-    is_kicked = !damped && i + 1 < count;
-    if (is_kicked) {
-      kick_and_drift(plan, motion, (kick_weight[drifts] + kick_weight[0]) * h, drift_weight[0] * h, {}, flight);
-      ++motion.force_evaluations;
-    } else {
-      accelerate_and_kick_last(plan, motion, h);
-    }
-    if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
-    motion.dashpot_sweeps += damped ? 2 : 0;
-  }
-  // contact examines the paths of whole steps
-  flight.max_drift = std::max(flight.max_drift, h);
+  if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, motion.x, motion.v);
+  motion.counts.dashpot_sweeps += damped ? 2 : 0;
 }
 
 // The columns of the step's matrix on (x, h v): kicks v' = E v + phi a, E = e^(-c b h), phi = (1 - E) / c.
 Amplification amplification(const Oscillator& oscillator) {
   const double drag = oscillator.h_drag, dashpot = portable::exp(-0.5 * oscillator.h_lambda);
-  const auto decay = [&](double weight) { return portable::exp(-drag * weight); };
-  const auto phi = [&](double weight) { return drag == 0.0 ? weight : -portable::expm1(-drag * weight) / drag; };
   double x[] = {1.0, 0.0}, v[] = {0.0, dashpot};
   for (int column = 0; column < 2; ++column) {
     double a = 0.0;
     for (int i = 0; i <= drifts; ++i) {
       const double weight = i == 0 ? 0.0 : prediction_weight(i);
-      const double velocity = decay(weight) * v[column] + phi(weight) * a;
+      const Kick<double> predicted = kick_over(drag, weight), kick = kick_over(drag, kick_weight[i]);
+      const double velocity = predicted.decay * v[column] + predicted.weight * a;
       a = -oscillator.h_omega_squared * x[column] - oscillator.h_rate * velocity;
-      v[column] = decay(kick_weight[i]) * v[column] + phi(kick_weight[i]) * a;
+      v[column] = kick.decay * v[column] + kick.weight * a;
       if (i < drifts) x[column] += drift_weight[i] * v[column];
     }
   }
@@ -152,11 +99,7 @@ constinit const Integrator blanes_moan4{
         "dashpots split off as in velocity_verlet",
     .source = "S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313-330, SRKN_6^b",
     .order = 4,
-    .order_drag = 4,
-    .order_damped = 2,
-    .order_contact = 2,
-    .order_friction = 1,
-    .order_force_terms = 2,
+    .order_with = {.drag = 4, .damped = 2, .contact = 2, .friction = 1, .force_terms = 2},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
@@ -167,7 +110,6 @@ constinit const Integrator blanes_moan4{
     .prepare = prepare,
     .step = step,
     .amplification = amplification,
-    .fly = fly,
 };
 
 }  // namespace hooke

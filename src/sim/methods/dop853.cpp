@@ -91,22 +91,19 @@ double first_step(const Plan& plan, double interval) {
   return rate * interval > 1.0 ? 1.0 / rate : interval;
 }
 
-constexpr double min_factor = 1.0 / 3.0, greatest_factor = 6.0;
-
 // Hairer's controller (II.4 and DOP853): step *= safety error^-alpha (previous error)^beta, within bounds.
 double step_factor(double error, double error_before) {
-  constexpr double beta = 0.04, alpha = 1.0 / 8.0 - 0.75 * beta, safety = 0.9;
-  if (!std::isfinite(error)) return min_factor;
-  if (error == 0.0) return greatest_factor;
-  return std::clamp(safety * portable::pow(error, -alpha) * portable::pow(error_before, beta), min_factor, greatest_factor);
+  constexpr double alpha = 1.0 / 8.0 - 0.75 * step_beta;
+  if (!std::isfinite(error)) return min_step_factor;
+  if (error == 0.0) return max_step_factor;
+  return std::clamp(step_safety * portable::pow(error, -alpha) * portable::pow(error_before, step_beta), min_step_factor, max_step_factor);
 }
 
 // One step of its own, at most `interval`.
 double advance(const Plan& plan, Motion& motion, Workspace& work, double interval) {
-  constexpr double min_error = 1e-4;
   const ErrorScale error_scale(plan, motion, work.tolerance.value_or(default_tolerance));
   MethodMemory& memory = motion.memory;
-  if (!(memory.step > 0.0) || !(memory.error > 0.0)) memory = {.step = first_step(plan, interval), .error = min_error};
+  if (!(memory.step > 0.0) || !(memory.error > 0.0)) memory = {.step = first_step(plan, interval), .error = min_step_error};
 
   bool rejected = false;
   while (true) {
@@ -134,9 +131,9 @@ double advance(const Plan& plan, Motion& motion, Workspace& work, double interva
 
     // a step truncated by the end of the interval says little about the next one
     const double factor = step_factor(error, memory.error);
-    memory.step = factor == greatest_factor ? std::max(memory.step, factor * h) : std::max(work.min_step, factor * h);
+    memory.step = factor == max_step_factor ? std::max(memory.step, factor * h) : std::max(work.min_step, factor * h);
     if (rejected) memory.step = std::min(memory.step, h);
-    memory.error = std::max(error, min_error);
+    memory.error = std::max(error, min_step_error);
     return h;
   }
 }
@@ -168,11 +165,7 @@ constinit const Integrator dop853{
         "x' = x + h v + h^2 sum b A a,   v' = v + h sum b a;   h from error estimates of order 5 and 3",
     .source = "E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.5 and II.10",
     .order = 8,
-    .order_drag = 8,
-    .order_damped = 8,
-    .order_contact = 2,
-    .order_friction = 1,
-    .order_force_terms = 8,
+    .order_with = {.drag = 8, .damped = 8, .contact = 2, .friction = 1, .force_terms = 8},
     .stability = Stability::Adaptive,
     .energy = EnergyTrend::Drifts,
     .symplectic = false,

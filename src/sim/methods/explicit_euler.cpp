@@ -8,7 +8,7 @@ namespace {
 
 void step(const Plan& plan, Motion& motion, Workspace&, double h) {
   compute_accelerations(plan, motion.time, motion.x, motion.v, motion.a);
-  ++motion.force_evaluations;
+  ++motion.counts.force_evaluations;
 
   for (std::size_t i = 0; i < motion.x.size(); ++i) {
     motion.x[i] += h * motion.v[i];
@@ -32,11 +32,7 @@ constinit const Integrator explicit_euler{
         "v' = v + h a(x, v)",
     .source = "L. Euler, Institutiones calculi integralis, 1768",
     .order = 1,
-    .order_drag = 1,
-    .order_damped = 1,
-    .order_contact = 1,
-    .order_friction = 1,
-    .order_force_terms = 1,
+    .order_with = {.drag = 1, .damped = 1, .contact = 1, .friction = 1, .force_terms = 1},
     .stability = Stability::None,
     .energy = EnergyTrend::Grows,
     .symplectic = false,

@@ -83,7 +83,7 @@ class RungeKuttaStep {
   void compute_slopes() {
     if (!motion_.acceleration_is_current) compute_slope(0.0, motion_.x, motion_.v, motion_.a);
     motion_.acceleration_is_current = true;
-    const bool needs_velocity = plan_.drag != 0.0 || plan_.has_dashpots() || plan_.forces_depend_on_velocity;
+    const bool needs_velocity = plan_.drag != 0.0 || plan_.has_dashpots() || plan_.force_data.depend_on_velocity;
     for (std::size_t i = 1; i < Stages; ++i) {
       Terms of_x = position_terms(table_.node[i], table_.a_squared[i]), of_v;
       if (needs_velocity) of_v.add_slopes(h_, table_.a[i], slopes());
@@ -123,7 +123,7 @@ class RungeKuttaStep {
 
   void compute_slope(double time, const Field& x, const Field& v, Field& slope) {
     compute_accelerations(plan_, motion_.time + time, x, v, slope);
-    ++motion_.force_evaluations;
+    ++motion_.counts.force_evaluations;
   }
 
   const RungeKuttaTable<Stages>& table_;

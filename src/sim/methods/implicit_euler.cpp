@@ -23,11 +23,7 @@ constinit const Integrator implicit_euler{
         "E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.3; solved as in T. F. Gast, C. Schroeder, Optimization "
         "Integrator for Large Time Steps, SCA 2014",
     .order = 1,
-    .order_drag = 1,
-    .order_damped = 1,
-    .order_contact = 1,
-    .order_friction = 1,
-    .order_force_terms = 1,
+    .order_with = {.drag = 1, .damped = 1, .contact = 1, .friction = 1, .force_terms = 1},
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,

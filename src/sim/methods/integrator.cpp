@@ -74,10 +74,11 @@ Amplification amplification_from(std::complex<double> (*r)(std::complex<double>)
 
 namespace {
 
-// Jury's conditions for both roots of z^2 - trace z + determinant to lie in the closed unit disc.
+// Jury's conditions for all roots of z^3 - trace z^2 + determinant z - third to lie in the closed unit disc.
 bool is_stable(const Amplification& amplification) {
-  constexpr double round_off = 1e-12;
-  return amplification.determinant <= 1.0 + round_off && std::abs(amplification.trace) <= 1.0 + amplification.determinant + round_off;
+  const auto& [trace, determinant, third] = amplification;
+  return std::abs(trace + third) <= 1.0 + determinant + eigenvalue_round_off && std::abs(third) <= 1.0 + eigenvalue_round_off &&
+         std::abs(determinant - trace * third) <= 1.0 - third * third + eigenvalue_round_off;
 }
 
 // of the one mode with these rates [1/s]
@@ -93,7 +94,7 @@ double largest_stable_step(const Integrator& integrator, double omega, double la
   // where an eigenvalue approaches -1, the higher-order splitting methods are unstable in a band of steps less than a hundredth wide
   const auto is_near_minus_one = [&](double h) {
     const Amplification step = amplification_at(h);
-    return 1.0 + step.determinant + step.trace < 0.02;
+    return 1.0 + step.determinant + step.trace + step.third < 0.02;
   };
   const double rate = std::max({omega, lambda, drag, force_rate});
   if (rate == 0.0) return std::numeric_limits<double>::infinity();
@@ -133,12 +134,10 @@ double conditional_step(const Integrator& integrator, const Spectrum& spectrum, 
                                                  : std::min(along_spring, largest_stable_step(integrator, omega, 0.0, drag, force_rate));
 }
 
-// [s], up to which contacts cause no growth. Measured with methods stable at any step: on a cloth on a ball some grow from h omega = 4; on
-// a pile of bars, whose ends touch each other, from 2.1, and some explicit methods from 90 % of their limit
-// (tests/sim/contact_step_test.cpp).
+// [s], up to which contacts cause no growth.
 double longest_step_with_contact(const Spectrum& spectrum) {
   if (!spectrum.contact || spectrum.omega == 0.0) return std::numeric_limits<double>::infinity();
-  return (spectrum.points_touch ? 1.8 : 3.0) / spectrum.omega;
+  return (spectrum.points_touch ? max_angle_of_touching_points : max_angle_in_contact) / spectrum.omega;
 }
 
 }  // namespace
@@ -159,9 +158,7 @@ double largest_stable_step(const Integrator& integrator, const Spectrum& bounds)
   }
 
   double step = contact_step;
-  // omega h up to which the derivatives that the matrix leaves out cause no growth, measured on sheets in strong wind: implicit_midpoint
-  // gains energy in some from 1.3, the L-stable methods from 3.2
-  if (integrator.implicit_force_terms && spectrum.omitted_omega > 0.0) step = std::min(step, 1.0 / spectrum.omitted_omega);
+  if (integrator.implicit_force_terms && spectrum.omitted_omega > 0.0) step = std::min(step, max_omitted_angle / spectrum.omitted_omega);
   // the other methods add these forces once a step, as symplectic Euler does
   if (!integrator.implicit_force_terms && integrator.stability != Stability::Adaptive &&
       (spectrum.force_omega > 0.0 || spectrum.force_rate > 0.0))

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "base/table.h"
-#include "sim/forces/flight.h"
 #include "sim/forces/motion.h"
+#include "sim/methods/constants.h"
 
 namespace hooke {
 
@@ -20,9 +20,10 @@ struct Oscillator {
   double h_rate = 0.0;  // h q, of a listed force -q m v
 };
 
-// One step on it is a 2x2 matrix; its eigenvalues follow from these two.
+// The eigenvalues z of one step on it: z^2 - trace z + determinant = 0; or, of a method that keeps the acceleration of the step before,
+// z^3 - trace z^2 + determinant z - third = 0.
 struct Amplification {
-  double trace = 2.0, determinant = 1.0;
+  double trace = 2.0, determinant = 1.0, third = 0.0;
 };
 
 // Stability of a linear mode, undamped or damped.
@@ -49,6 +50,15 @@ enum class ImplicitSolve {
 std::string_view describe(Stability stability);
 std::string_view describe(EnergyTrend energy);
 
+// Of positions and velocities too.
+struct OrdersWith {
+  int drag;         // alone
+  int damped;       // with dashpots
+  int contact;      // undamped, through an impact of any restitution, and sliding without friction
+  int friction;     // through an impact and sliding under friction, on planes and spheres
+  int force_terms;  // with listed forces, those that depend on velocity included
+};
+
 struct Integrator {
   // The label without what it has in parentheses, for sentences.
   std::string short_name() const { return std::string(label.substr(0, label.find(" ("))); }
@@ -60,11 +70,7 @@ struct Integrator {
   std::string_view formula;  // one step of h, lines
   std::string_view source;   // the publication
   int order;                 // of positions and velocities, undamped
-  int order_drag;            // with drag alone
-  int order_damped;          // with dashpots
-  int order_contact;         // undamped, through an impact of any restitution, and sliding without friction
-  int order_friction;        // through an impact and sliding under friction, on planes and spheres
-  int order_force_terms;     // with listed forces, those that depend on velocity included
+  OrdersWith order_with;
   Stability stability;
   EnergyTrend energy;
   bool symplectic;  // undamped
@@ -77,8 +83,6 @@ struct Integrator {
   bool for_production;
   // [1], by how much of a step its velocity is behind its position: half a step where x' = x + h v', and -1/2 where x' = x + h v.
   double velocity_lag = 0.0;
-  // Whether its velocity contains the accelerations at the end of the step for half of it, as the last of its changes but for dashpots.
-  bool kicks_last = false;
   // Whether dashpots are solved exactly, apart from all other forces: with second order only while they decay little within a step.
   bool splits_dashpots = false;
   // Called once per frame, before its first step of h: sizes the workspace and computes what is common to all steps. May be null.
@@ -92,9 +96,9 @@ struct Integrator {
   // [J], the leading terms of the modified energy, which the method conserves to a higher order than the energy of the scene, less the
   // latter, at the end of a step of h. Null: not known.
   double (*modified_energy)(const Plan& plan, const Motion& motion, double h) = nullptr;
-  // `count` steps with nothing between them (flight.h), where can_fly(plan), equal to that many calls of `step` to round-off; ends early
-  // when the flight is interrupted. The time at the end is the caller's. Null: a step is no cheaper for it.
-  void (*fly)(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) = nullptr;
+  // `count` steps of h with nothing between them, in a scene without listed forces and hand: equal to that many calls of `step` to
+  // round-off. Adds to motion.time. Null: a step is no cheaper for it.
+  void (*steps)(const Plan& plan, Motion& motion, Workspace& work, double h, int count) = nullptr;
 };
 
 Table<Integrator> integrators();
@@ -117,13 +121,6 @@ Amplification amplification_from(std::complex<double> (*r)(std::complex<double>)
 // a point after the step, and springs too fast for the step convert that correction into energy.
 double largest_stable_step(const Integrator& integrator, const Spectrum& spectrum);
 
-// The linear limit holds for small oscillations. Nets that rotate and stretch can gain energy at smaller steps; none of 120 random nets
-// started far from equilibrium did with steps shorter by this factor (docs/methods.md).
-inline constexpr int default_margin = 4;
-// Where springs pass through zero length (sim/forces/energy/energy.h), their direction reverses within a step, which no frequency
-// describes: of 2000 nets, in most of which they do, up to 79 gain more than 20 % of their energy in 3 s at the default margin, and up to 3
-// at this one (docs/methods.md).
-inline constexpr int collapse_margin = 16;
 // The factor by which the step should be below the linear limit in a run from this state.
 int recommended_margin(const System& system, const State& state);
 

@@ -1,19 +1,18 @@
 #include "sim/methods/precision.h"
 
-#include "sim/methods/rows.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 
 std::string needs_double_precision(const Plan& plan, const Settings& settings) {
-  if (settings.integrator != &velocity_verlet && settings.integrator != &symplectic_euler)
-    return "methods but velocity_verlet and symplectic_euler";
+  if (settings.integrator->steps == nullptr) return "methods but velocity_verlet, velocity_verlet_explicit and symplectic_euler";
   if (plan.has_dashpots()) return "springs with dashpots";
-  if (plan.grids.empty()) return "scenes of less than 256 springs, or without a grid";
-  if (!plan.loose_runs.empty()) return "springs that are not part of a grid";
+  if (plan.spring.grids.empty()) return "scenes of less than 256 springs, or without a grid";
+  if (!plan.spring.loose_runs.empty()) return "springs that are not part of a grid";
   if (plan.has_contact()) return "contact";
   if (!plan.forces.empty()) return "listed forces";
-  if (!plan.break_length.empty() || !plan.max_length.empty()) return "breaking springs and the strain limit";
-  if (plan.held || plan.pull) return "a grab";
+  if (!plan.spring.break_length.empty() || !plan.spring.max_length.empty()) return "breaking springs and the strain limit";
+  if (plan.hand.held || plan.hand.pull) return "a grab";
   return {};
 }
 

@@ -1,12 +1,11 @@
 // v' = v e^(-c h) + a(x, v) (1 - e^(-c h)) / c,  x' = x + h v'     (a without drag; h instead of the fraction if c = 0)
 // First order, symplectic, stable for h omega < 2. Also called semi-implicit or modified Euler. The factor makes the
 // velocity of a fall with drag exact for any h; it must multiply the whole acceleration, or equilibria shift.
-#include <cmath>
-
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/forces.h"
+#include "sim/forces/kick.h"
+#include "sim/forces/leapfrog_pass.h"
 #include "sim/methods/rows.h"
-#include "sim/model/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -14,10 +13,9 @@ namespace {
 void step(const Plan& plan, Motion& motion, Workspace&, double h) {
   compute_explicit_forces(plan, motion.time, motion.x, motion.v, motion.a);
   divide_by_mass(plan, motion.a);
-  ++motion.force_evaluations;
+  ++motion.counts.force_evaluations;
 
-  kick(plan, motion, h);
-  drift(motion, h);
+  kick_and_drift(plan, motion, h, h);
 }
 
 // Its velocity is that of velocity Verlet half a step earlier, a kick of h/2 behind the position: with that kick the energy is that of
@@ -37,14 +35,13 @@ double modified_energy(const Plan& plan, const Motion& motion, double h) {
   return kinetic + verlet_energy_difference(plan, motion.time, motion.x, v, h);
 }
 
-void fly(const Plan& plan, Motion& motion, Workspace&, double h, int count, Flight& flight) {
-  kick_and_drift_steps(plan, motion, h, count, {.velocity = plan.has_dashpots() ? &motion.v : nullptr}, flight);
+void steps(const Plan& plan, Motion& motion, Workspace&, double h, int count) {
+  repeat_kick_and_drift(plan, motion, h, count, {.acting = &motion.v});
 }
 
 // v' = E v - phi h (omega^2 x + (lambda + q) v), x' = x + h v', with E = e^(-h c), phi = (1 - E) / (h c)
 Amplification amplification(const Oscillator& oscillator) {
-  const double decay = portable::exp(-oscillator.h_drag);
-  const double phi = oscillator.h_drag == 0.0 ? 1.0 : -portable::expm1(-oscillator.h_drag) / oscillator.h_drag;
+  const auto [decay, phi] = kick_over(oscillator.h_drag, 1.0);
   const double determinant = decay - phi * (oscillator.h_lambda + oscillator.h_rate);
   return {.trace = 1.0 + determinant - phi * oscillator.h_omega_squared, .determinant = determinant};
 }
@@ -61,11 +58,7 @@ constinit const Integrator symplectic_euler{
         "x' = x + h v'",
     .source = "R. de Vogelaere, 1956; E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, I.1",
     .order = 1,
-    .order_drag = 1,
-    .order_damped = 1,
-    .order_contact = 1,
-    .order_friction = 1,
-    .order_force_terms = 1,
+    .order_with = {.drag = 1, .damped = 1, .contact = 1, .friction = 1, .force_terms = 1},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
@@ -77,7 +70,7 @@ constinit const Integrator symplectic_euler{
     .step = step,
     .amplification = amplification,
     .modified_energy = modified_energy,
-    .fly = fly,
+    .steps = steps,
 };
 
 }  // namespace hooke

@@ -13,22 +13,20 @@
 #include "sim/forces/constraints.h"
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
+#include "sim/forces/kick.h"
 #include "sim/methods/rows.h"
-#include "sim/model/portable_math.h"
 
 namespace hooke {
 namespace {
 
-double drag_weight(double drag, double h) { return drag == 0.0 ? h : -portable::expm1(-drag * h) / drag; }
-
 void prepare(const Plan& plan, double h, const Motion&, Workspace& work) {
-  make_structure<Constraints>(plan, work).prepare(plan, h, drag_weight(plan.drag, h));
+  make_structure<Constraints>(plan, work).prepare(plan, h, kick_over(plan.drag, h).weight);
 }
 
 // The hand's spring has no rest length: all of its displacement is along it.
 void pull(const Plan& plan, Motion& motion, double h) {
-  const PlannedPull& hand = *plan.pull;
-  const double k = hand.stiffness, phi = drag_weight(plan.drag, h);
+  const PlannedPull& hand = *plan.hand.pull;
+  const double k = hand.stiffness, phi = kick_over(plan.drag, h).weight;
   double w = 0.0;
   for (const auto& [point, weight] : hand.points()) w += weight * weight * plan.inverse_mass[point];
   const double stiffness = phi * k / (1.0 + phi * h * k * w);
@@ -65,15 +63,16 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
     kick(plan, motion, h);
 
   structure_of<Constraints>(work).sweep(plan, h, motion.x, motion.v);
-  if (plan.pull) pull(plan, motion, h);
-  ++motion.sweeps;
+  if (plan.hand.pull) pull(plan, motion, h);
+  ++motion.counts.sweeps;
 
   advance(plan, motion.v, h, motion.x);
 }
 
 // x' = x + h v',  v' = ((E - phi q) v - phi omega^2 x) / (1 + phi (h omega^2 + lambda))
 Amplification amplification(const Oscillator& oscillator) {
-  const double phi = drag_weight(oscillator.h_drag, 1.0), decay = portable::exp(-oscillator.h_drag) - phi * oscillator.h_rate;
+  const auto [whole_decay, phi] = kick_over(oscillator.h_drag, 1.0);
+  const double decay = whole_decay - phi * oscillator.h_rate;
   const double denominator = 1.0 + phi * (oscillator.h_omega_squared + oscillator.h_lambda);
   return {.trace = 1.0 + (decay - phi * oscillator.h_omega_squared) / denominator, .determinant = decay / denominator};
 }
@@ -92,11 +91,7 @@ constinit const Integrator xpbd{
         "x' = x + h v",
     .source = "M. Macklin, M. Mueller, N. Chentanez, XPBD, MIG 2016; M. Macklin et al., Small Steps in Physics Simulation, SCA 2019",
     .order = 1,
-    .order_drag = 1,
-    .order_damped = 1,
-    .order_contact = 1,
-    .order_friction = 1,
-    .order_force_terms = 1,
+    .order_with = {.drag = 1, .damped = 1, .contact = 1, .friction = 1, .force_terms = 1},
     .stability = Stability::EachSpring,
     .energy = EnergyTrend::Falls,
     .symplectic = false,

@@ -243,7 +243,7 @@ struct Origin {
 };
 Origin origin_of(const Plan& plan, const Enclosure& enclosure, const double* x) {
   Origin origin{};
-  const Index at = plan.enclosures.sides[enclosure.begin].points[0];
+  const Index at = plan.force_data.enclosures.sides[enclosure.begin].points[0];
   for (int c = 0; c < plan.dimensions; ++c) origin.c[c] = x[static_cast<std::size_t>(c) * plan.points + at];
   return origin;
 }
@@ -268,7 +268,7 @@ double signed_volume(const Plan& plan, const Enclosure& enclosure, const double*
   const Origin origin = origin_of(plan, enclosure, x);
   double sum = 0.0;
   for (Index s = enclosure.begin; s < enclosure.end; ++s) {
-    const auto& [a, b, c] = plan.enclosures.sides[s].points;
+    const auto& [a, b, c] = plan.force_data.enclosures.sides[s].points;
     if (plan.dimensions == 2)
       sum += (x[a] - origin.c[0]) * (x[n + b] - origin.c[1]) - (x[b] - origin.c[0]) * (x[n + a] - origin.c[1]);
     else
@@ -282,7 +282,7 @@ void add_volume_gradient(const Plan& plan, const Enclosure& enclosure, double sc
   const std::size_t n = plan.points;
   const Origin origin = origin_of(plan, enclosure, x);
   for (Index s = enclosure.begin; s < enclosure.end; ++s) {
-    const auto& points = plan.enclosures.sides[s].points;
+    const auto& points = plan.force_data.enclosures.sides[s].points;
     if (plan.dimensions == 2) {
       const std::size_t i = points[0], j = points[1];
       f[i] += 0.5 * scale * (x[n + j] - origin.c[1]);

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <tuple>
 
+#include "sim/plan/constants.h"
 #include "sim/plan/plan.h"
 
 namespace hooke {
 namespace {
-
-constexpr Index min_columns = 4;  // shorter rows leave most lanes of a vector empty
-constexpr Index min_rope = 8;     // points of a single row
 
 // Springs by their lower end and the offset to the upper one: those of a point in ascending order.
 class Neighbors {
@@ -43,13 +41,12 @@ class Neighbors {
   std::vector<Index> common_offsets() const {
     std::vector<Index> count(static_cast<std::size_t>(Grid::max_columns) + 1, 0);
     for (const Item& item : springs_)
-      if (item.offset >= min_columns && item.offset <= Grid::max_columns) ++count[item.offset];
+      if (item.offset >= min_grid_columns && item.offset <= Grid::max_columns) ++count[item.offset];
     std::vector<Index> offsets;
     for (Index offset = 0; offset <= Grid::max_columns; ++offset)
       if (count[offset] > 0) offsets.push_back(offset);
     std::ranges::stable_sort(offsets, [&](Index a, Index b) { return count[a] > count[b]; });
-    constexpr std::size_t max_offsets = 16;
-    offsets.resize(std::min(offsets.size(), max_offsets));
+    offsets.resize(std::min(offsets.size(), max_grid_widths));
     std::erase_if(offsets, [&](Index offset) { return 2 * count[offset] <= offset; });
     return offsets;
   }
@@ -72,7 +69,7 @@ class GridFinder {
     for (Index i = 0; i < points_; i = end_of_chain(i)) take_largest(i, widths);
     for (Index i = 0; i < points_;) {
       const Index count = std::min(end_of_chain(i) - i, Grid::max_columns);
-      if (!is_taken_[i] && count >= min_rope) take(i, 1, count);
+      if (!is_taken_[i] && count >= min_grid_rope) take(i, 1, count);
       i += count;
     }
     std::sort(grids_.begin(), grids_.end(), [](const Grid& a, const Grid& b) { return a.first < b.first; });
@@ -165,12 +162,11 @@ std::vector<Grid> find_grids(std::span<const SpringRun> runs, Index points, std:
   return grids;
 }
 
-void set_values(const Grid& grid, std::span<const double> per_spring, double missing, bool each_row,
-                std::array<Grid::Values, Grid::directions>& values) {
+void set_values(const Grid& grid, std::span<const double> per_spring, bool each_row, std::array<Grid::Values, Grid::directions>& values) {
   const auto pitch = static_cast<std::size_t>(grid.pitch());
   for (std::size_t direction = 0; direction < Grid::directions; ++direction) {
     const std::vector<Index>& spring = grid.spring[direction];
-    const auto number_of = [&](std::size_t cell) { return spring[cell] == no_index ? missing : per_spring[spring[cell]]; };
+    const auto number_of = [&](std::size_t cell) { return spring[cell] == no_index ? 0.0 : per_spring[spring[cell]]; };
     // the last row has springs to the right only; no kernel reads the others
     const std::size_t rows = grid.rows - (direction == Grid::Right ? 0 : 1);
     bool is_uniform = !each_row;
@@ -179,7 +175,7 @@ void set_values(const Grid& grid, std::span<const double> per_spring, double mis
     Grid::Values& value = values[direction];
     value.row_step = is_uniform ? 0 : pitch;
     value.number.resize(is_uniform ? pitch : rows * pitch);
-    for (std::size_t cell = 0; cell < value.number.size(); ++cell) value.number[cell] = rows == 0 ? missing : number_of(cell);
+    for (std::size_t cell = 0; cell < value.number.size(); ++cell) value.number[cell] = rows == 0 ? 0.0 : number_of(cell);
   }
 }
 

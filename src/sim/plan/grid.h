@@ -38,8 +38,7 @@ struct Grid {
   Index first = 0, rows = 0, columns = 0;
   std::array<std::vector<Index>, directions> spring;  // packed index of each cell's spring, or no_index
   std::array<Values, directions> stiffness, rest_length;
-  std::array<Values, directions> damping;             // empty: no dashpots
-  std::array<Values, directions> max_length_squared;  // [m^2], to watch: infinite where there is none; empty: no spring has one
+  std::array<Values, directions> damping;  // empty: no dashpots
 
   Index points() const { return rows * columns; }
   // Columns rounded up to whole vectors.
@@ -51,9 +50,8 @@ struct Grid {
 // (numbering/point_order.h).
 std::vector<Grid> find_grids(std::span<const SpringRun> runs, Index points, std::vector<SpringRun>& rest);
 
-// Copies the number of each packed spring to the cells; `missing` where there is no spring. With `each_row` every row is stored, even if
+// Copies the number of each packed spring to the cells; 0 where there is no spring. With `each_row` every row is stored, even if
 // all are the same, so that doing it again allocates nothing.
-void set_values(const Grid& grid, std::span<const double> per_spring, double missing, bool each_row,
-                std::array<Grid::Values, Grid::directions>& values);
+void set_values(const Grid& grid, std::span<const double> per_spring, bool each_row, std::array<Grid::Values, Grid::directions>& values);
 
 }  // namespace hooke

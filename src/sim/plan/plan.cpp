@@ -36,47 +36,47 @@ bool flatten(Collider& collider) {
 
 void plan_colliders(Plan& plan, const System& system) {
   plan.colliders.clear();
-  plan.collider_index.clear();
-  plan.colliders_move = false;
-  plan.resolving_step = std::numeric_limits<double>::infinity();
-  plan.grabbed_collider.reset();
+  plan.collider_paths.index.clear();
+  plan.collider_paths.any_moves = false;
+  plan.collider_paths.resolving_step = std::numeric_limits<double>::infinity();
+  plan.collider_paths.grabbed.reset();
   for (std::size_t c = 0; c < system.colliders.size(); ++c) {
     Collider collider = system.colliders[c];
     if (!collider.solid || (plan.dimensions == 2 && !flatten(collider))) continue;
-    plan.colliders_move = plan.colliders_move || collider.path.moves();
-    plan.resolving_step = std::min(plan.resolving_step, collider.path.resolving_step());
+    plan.collider_paths.any_moves = plan.collider_paths.any_moves || collider.path.moves();
+    plan.collider_paths.resolving_step = std::min(plan.collider_paths.resolving_step, collider.path.resolving_step());
     plan.colliders.push_back(collider);
-    plan.collider_index.push_back(static_cast<Index>(c));
+    plan.collider_paths.index.push_back(static_cast<Index>(c));
   }
 }
 
 // Moves the carried collider to its position under the hand, and towards its target during the coming frame.
 void plan_carried_collider(Plan& plan, const System& system, const State& state, double duration) {
   const CarriedCollider& carried = *state.hand.collider;
-  const auto planned = std::ranges::find(plan.collider_index, carried.collider);
-  if (planned == plan.collider_index.end()) return;
-  const auto c = static_cast<std::size_t>(planned - plan.collider_index.begin());
+  const auto planned = std::ranges::find(plan.collider_paths.index, carried.collider);
+  if (planned == plan.collider_paths.index.end()) return;
+  const auto c = static_cast<std::size_t>(planned - plan.collider_paths.index.begin());
   plan.colliders[c] = carried_collider(system, state, static_cast<std::size_t>(carried.collider));
   if (plan.dimensions == 2) flatten(plan.colliders[c]);
-  plan.colliders_move = true;
+  plan.collider_paths.any_moves = true;
 
   const Vec3 anchor = anchor_of(carried.shape);
   Vec3 velocity = (clamp_hand_target(system, anchor, carried.target, duration) - anchor) / duration;
   if (plan.dimensions == 2) velocity.z = 0.0;
-  plan.grabbed_collider = {.collider = c, .start = state.time, .velocity = velocity};
+  plan.collider_paths.grabbed = {.collider = c, .start = state.time, .velocity = velocity};
 }
 
 // The lengths at which springs break and those of the strain limit; empty if there are none.
 void plan_length_limits(Plan& plan, const System& system) {
-  plan.break_length.resize(system.any_spring_breaks() ? plan.springs : 0);
-  plan.max_length.resize(system.strain_limit > 0.0 ? plan.springs : 0);
-  for (Index s = 0; s < static_cast<Index>(plan.break_length.size()); ++s)
-    plan.break_length[s] = system.break_length_of(system.springs()[plan.spring_index[s]]);
+  plan.spring.break_length.resize(system.any_spring_breaks() ? plan.springs : 0);
+  plan.spring.max_length.resize(system.strain_limit > 0.0 ? plan.springs : 0);
+  for (Index s = 0; s < static_cast<Index>(plan.spring.break_length.size()); ++s)
+    plan.spring.break_length[s] = system.break_length_of(system.springs()[plan.spring.index[s]]);
   // a spring that is switched off, or has no rest length, has no limit
-  for (Index s = 0; s < static_cast<Index>(plan.max_length.size()); ++s) {
-    const Spring& spring = system.springs()[plan.spring_index[s]];
+  for (Index s = 0; s < static_cast<Index>(plan.spring.max_length.size()); ++s) {
+    const Spring& spring = system.springs()[plan.spring.index[s]];
     const bool holds = system.is_on(spring) && spring.rest_length > 0.0;
-    plan.max_length[s] = holds ? spring.rest_length * (1.0 + system.strain_limit) : never_breaks;
+    plan.spring.max_length[s] = holds ? spring.rest_length * (1.0 + system.strain_limit) : never_breaks;
   }
 }
 
@@ -85,16 +85,16 @@ void plan_forces(Plan& plan, const System& system) {
   plan.forces.clear();
   std::ranges::copy_if(system.forces, std::back_inserter(plan.forces), &Force::on);
   std::ranges::stable_sort(plan.forces, {}, [](const Force& force) { return force.term->rank; });
-  plan.forces_depend_on_velocity = std::ranges::any_of(plan.forces, &Force::depends_on_velocity);
+  plan.force_data.depend_on_velocity = std::ranges::any_of(plan.forces, &Force::depends_on_velocity);
 
-  plan.faces.clear();
-  plan.face_rows.clear();
-  plan.hinges = {};
-  plan.enclosures = {};
-  plan.sticky.strength = 0.0;
+  plan.force_data.faces.clear();
+  plan.force_data.face_rows.clear();
+  plan.force_data.hinges = {};
+  plan.force_data.enclosures = {};
+  plan.force_data.sticky.strength = 0.0;
   if (plan.forces.empty()) return;
   for (const Face& face : system.faces)
-    plan.faces.push_back({system.index_of(face.points[0]), system.index_of(face.points[1]), system.index_of(face.points[2])});
+    plan.force_data.faces.push_back({system.index_of(face.points[0]), system.index_of(face.points[1]), system.index_of(face.points[2])});
   for (const Force& force : plan.forces)
     if (force.term->prepare != nullptr) force.term->prepare(system, plan);
 }
@@ -114,16 +114,17 @@ PlannedPull plan_pull(const System& system, const Grab& grab) {
 
 // Releases the held point, and holds this one of the Plan.
 void set_held_point(Plan& plan, const System& system, std::optional<Index> number) {
-  const auto held_point = [&]() -> const Point& { return system.points()[plan.listed_index(*plan.held)]; };
-  if (plan.held) plan.inverse_mass[*plan.held] = held_point().nailed ? 0.0 : 1.0 / held_point().mass;
-  plan.held = number;
-  plan.held_springs.clear();
-  if (!plan.held) return;
-  plan.inverse_mass[*plan.held] = 0.0;
-  plan.held_mass = held_point().nailed ? 0.0 : held_point().mass;
-  for (const SpringRun& run : plan.runs)
+  const auto held_point = [&]() -> const Point& { return system.points()[plan.listed_index(*plan.hand.held)]; };
+  if (plan.hand.held) plan.inverse_mass[*plan.hand.held] = held_point().nailed ? 0.0 : 1.0 / held_point().mass;
+  plan.hand.held = number;
+  plan.hand.held_springs.clear();
+  if (!plan.hand.held) return;
+  plan.inverse_mass[*plan.hand.held] = 0.0;
+  plan.hand.held_mass = held_point().nailed ? 0.0 : held_point().mass;
+  for (const SpringRun& run : plan.spring.runs)
     for (const auto& [held_end, other_end] : {std::pair{run.first, run.second}, std::pair{run.second, run.first}})
-      if (const Index e = *plan.held - held_end; e >= 0 && e < run.count) plan.held_springs.push_back({run.begin + e, other_end + e});
+      if (const Index e = *plan.hand.held - held_end; e >= 0 && e < run.count)
+        plan.hand.held_springs.push_back({run.begin + e, other_end + e});
 }
 
 // Contribution of the pull to the rows of the free points: K_ij = k w_i w_j I, w the weights.
@@ -144,13 +145,13 @@ namespace {
 // Numbers the points, and finds the runs of springs between them.
 void plan_runs(Plan& plan, const System& system, Numbering numbering) {
   std::vector<EdgeEnds> ends = spring_ends(system);
-  if (numbering == Numbering::Fastest && plan.springs >= min_springs_of_grids) plan.point_index = choose_point_order(system, ends);
-  if (!plan.point_index.empty()) {
-    plan.point_number.resize(plan.point_index.size());
-    for (Index i = 0; i < plan.points; ++i) plan.point_number[plan.point_index[i]] = i;
-    for (auto& [first, second] : ends) first = plan.point_number[first], second = plan.point_number[second];
+  if (numbering == Numbering::Fastest && plan.springs >= min_springs_of_grids) plan.numbering.index = choose_point_order(system, ends);
+  if (!plan.numbering.index.empty()) {
+    plan.numbering.number.resize(plan.numbering.index.size());
+    for (Index i = 0; i < plan.points; ++i) plan.numbering.number[plan.numbering.index[i]] = i;
+    for (auto& [first, second] : ends) first = plan.numbering.number[first], second = plan.numbering.number[second];
   }
-  find_runs(ends, plan.runs, plan.spring_index);
+  find_runs(ends, plan.spring.runs, plan.spring.index);
 }
 
 }  // namespace
@@ -161,9 +162,9 @@ Plan make_plan(const System& system, Numbering numbering) {
   plan.springs = system.spring_count();
   plan_runs(plan, system, numbering);
   if (plan.springs >= min_springs_of_grids)
-    plan.grids = find_grids(plan.runs, plan.points, plan.loose_runs);
+    plan.spring.grids = find_grids(plan.spring.runs, plan.points, plan.spring.loose_runs);
   else
-    plan.loose_runs = plan.runs;
+    plan.spring.loose_runs = plan.spring.runs;
   refresh_values(plan, system);
   return plan;
 }
@@ -174,7 +175,7 @@ namespace {
 System in_order_of(const Plan& plan, const System& system) {
   std::vector<Point> points;
   points.reserve(system.points().size());
-  for (const Index i : plan.point_index) points.push_back(system.points()[i]);
+  for (const Index i : plan.numbering.index) points.push_back(system.points()[i]);
   System ordered = system;
   ordered.set_points(std::move(points));
   return ordered;
@@ -197,8 +198,8 @@ void refresh_values(Plan& plan, const System& system) {
   plan.gravity = system.gravity;
   plan.acceleration = system.gravity + plan.drag * system.wind;
 
-  plan.held.reset();
-  plan.pull.reset();
+  plan.hand.held.reset();
+  plan.hand.pull.reset();
 
   plan.mass.resize(plan.points);
   plan.inverse_mass.resize(plan.points);
@@ -212,28 +213,29 @@ void refresh_values(Plan& plan, const System& system) {
   else
     set_held_point(plan, system, std::nullopt);
   if (system.grab && system.grab->kind == GrabKind::Pull) {
-    plan.pull = plan_pull(system, *system.grab);
-    for (int part = 0; part < plan.pull->count; ++part) plan.pull->parts[part].point = plan.number_of(plan.pull->parts[part].point);
+    plan.hand.pull = plan_pull(system, *system.grab);
+    for (int part = 0; part < plan.hand.pull->count; ++part)
+      plan.hand.pull->parts[part].point = plan.number_of(plan.hand.pull->parts[part].point);
   }
 
-  plan.stiffness.resize(plan.springs);
-  plan.rest_length.resize(plan.springs);
+  plan.spring.stiffness.resize(plan.springs);
+  plan.spring.rest_length.resize(plan.springs);
   bool damped = false;
   for (Index s = 0; s < plan.springs; ++s) {
-    const Spring& spring = system.springs()[plan.spring_index[s]];
-    plan.stiffness[s] = system.stiffness_of(spring);
-    plan.rest_length[s] = spring.rest_length;
+    const Spring& spring = system.springs()[plan.spring.index[s]];
+    plan.spring.stiffness[s] = system.stiffness_of(spring);
+    plan.spring.rest_length[s] = spring.rest_length;
     damped = damped || system.damping_of(spring) > 0.0;
   }
-  plan.damping.resize(damped ? plan.springs : 0);
-  for (Index s = 0; s < static_cast<Index>(plan.damping.size()); ++s)
-    plan.damping[s] = system.damping_of(system.springs()[plan.spring_index[s]]);
+  plan.spring.damping.resize(damped ? plan.springs : 0);
+  for (Index s = 0; s < static_cast<Index>(plan.spring.damping.size()); ++s)
+    plan.spring.damping[s] = system.damping_of(system.springs()[plan.spring.index[s]]);
 
   plan_length_limits(plan, system);
   refresh_grids(plan);
   plan_colliders(plan, system);
   const bool has_lists = system.contact.any() || std::ranges::any_of(system.forces, &Force::on);
-  if (has_lists && !plan.point_index.empty())
+  if (has_lists && !plan.numbering.index.empty())
     refresh_lists_of_points(plan, in_order_of(plan, system));
   else
     refresh_lists_of_points(plan, system);
@@ -243,27 +245,18 @@ void refresh_values(Plan& plan, const System& system) {
 }
 
 void refresh_grids(Plan& plan) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  // what springs reach in a step or not is decided by their lengths; here it is enough to be sure that they do not
-  std::vector<double> limit;
-  if (!plan.break_length.empty() || !plan.max_length.empty()) limit.assign(plan.springs, infinity);
-  for (const std::vector<double>* lengths : {&plan.break_length, &plan.max_length})
-    for (Index s = 0; s < static_cast<Index>(lengths->size()); ++s)
-      limit[s] = std::min(limit[s], (*lengths)[s] * (*lengths)[s] * (1.0 - 1e-14));
-
-  for (Grid& grid : plan.grids) {
-    set_values(grid, plan.rest_length, 0.0, false, grid.rest_length);
-    for (auto* values : {&grid.damping, &grid.max_length_squared}) *values = {};
-    if (!limit.empty()) set_values(grid, limit, infinity, false, grid.max_length_squared);
+  for (Grid& grid : plan.spring.grids) {
+    set_values(grid, plan.spring.rest_length, false, grid.rest_length);
+    grid.damping = {};
   }
   refresh_grid_stiffness(plan);
 }
 
 void refresh_grid_stiffness(Plan& plan) {
-  const bool may_break = !plan.break_length.empty();
-  for (Grid& grid : plan.grids) {
-    set_values(grid, plan.stiffness, 0.0, may_break, grid.stiffness);
-    if (plan.has_dashpots()) set_values(grid, plan.damping, 0.0, may_break, grid.damping);
+  const bool may_break = !plan.spring.break_length.empty();
+  for (Grid& grid : plan.spring.grids) {
+    set_values(grid, plan.spring.stiffness, may_break, grid.stiffness);
+    if (plan.has_dashpots()) set_values(grid, plan.spring.damping, may_break, grid.damping);
   }
 }
 
@@ -278,15 +271,15 @@ void prepare_hand(Plan& plan, const System& system, const State& state, double d
   const std::optional<ActiveGrab> grab = active_grab(system, state, duration);
   std::optional<Index> held;
   if (grab && grab->kind == GrabKind::Hold) held = plan.number_of(system.index_of(grab->point));
-  if (plan.held != held) set_held_point(plan, system, held);
+  if (plan.hand.held != held) set_held_point(plan, system, held);
 
-  if (plan.pull) {
-    plan.pull->start = state.time;
+  if (plan.hand.pull) {
+    plan.hand.pull->start = state.time;
     const Vec3& from = state.hand.position;
-    plan.pull->from = from;
-    plan.pull->velocity = (clamp_hand_target(system, from, state.hand.target, duration) - from) / duration;
+    plan.hand.pull->from = from;
+    plan.hand.pull->velocity = (clamp_hand_target(system, from, state.hand.target, duration) - from) / duration;
   }
-  plan.grabbed_collider.reset();
+  plan.collider_paths.grabbed.reset();
   if (state.hand.collider) plan_carried_collider(plan, system, state, duration);
 }
 
@@ -311,7 +304,6 @@ ColliderReach reach_of(const Collider& collider) {
 }  // namespace
 
 double plausible_reach(const System& system, const Spectrum& spectrum, double extent, double speed, double time) {
-  constexpr double margin = 1000.0;
   double acceleration = glm::length(system.gravity);
   for (const Spring& spring : system.springs()) extent = std::max(extent, spring.rest_length);
   for (const Collider& collider : system.colliders) {
@@ -325,10 +317,10 @@ double plausible_reach(const System& system, const Spectrum& spectrum, double ex
   if (!std::isfinite(acceleration)) {
     // A repulsion that increases with the distance leads away exponentially if its derivative is bounded. Otherwise it leads anywhere
     // within a short time, and no method follows it there.
-    if (spectrum.is_bounded) return margin * (extent + time * speed) * portable::exp(spectrum.omega * time);
+    if (spectrum.is_bounded) return reach_margin * (extent + time * speed) * portable::exp(spectrum.omega * time);
     return std::max(1e9, 1e12 * (extent + time * speed));
   }
-  return margin * (extent + time * (speed + time * acceleration));
+  return reach_margin * (extent + time * (speed + time * acceleration));
 }
 
 Spectrum bound_spectrum(const System& system, double point_speed) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/model/system.h"
+#include "sim/plan/constants.h"
 #include "sim/plan/enclosures.h"
 #include "sim/plan/execution.h"
 #include "sim/plan/grid.h"
@@ -102,11 +103,54 @@ struct StickyPlan {
   std::vector<StickyContact> held;  // during the step in progress (forces/terms/sticking.h)
 };
 
-struct Plan {
-  // Points have the numbers in which they are stepped fastest (numbering/point_order.h). Empty: those of the System.
-  std::vector<Index> point_index;   // of the planned point, in the System
-  std::vector<Index> point_number;  // of the System's point, in the Plan
+// Points have the numbers in which they are stepped fastest (numbering/point_order.h). Empty: those of the System.
+struct PointNumbers {
+  std::vector<Index> index;   // of the planned point, in the System
+  std::vector<Index> number;  // of the System's point, in the Plan
+};
 
+// The springs in the order of the runs.
+struct PlannedSprings {
+  std::vector<SpringRun> runs;
+  std::vector<double> stiffness, rest_length;
+  std::vector<double> damping;  // empty: no dashpots
+  std::vector<Index> index;     // of the packed spring, in the System
+  // The same springs for force kernels: those of grids, and the runs of all others.
+  std::vector<Grid> grids;
+  std::vector<SpringRun> loose_runs;
+  std::vector<double> break_length;  // [m], at which the spring breaks; empty: none breaks
+  std::vector<double> max_length;    // [m], of the strain limit; empty: no limit
+};
+
+// How the solid colliders move.
+struct ColliderPaths {
+  std::vector<Index> index;  // of the planned collider, in the System
+  bool any_moves = false;    // along its path or with the hand
+  // [s], the longest step that resolves the oscillations of the colliders; infinity: none oscillates
+  double resolving_step = std::numeric_limits<double>::infinity();
+  std::optional<GrabbedCollider> grabbed;
+};
+
+// What the listed forces need.
+struct ForceData {
+  bool depend_on_velocity = false;          // whether any of them does
+  std::vector<std::array<Index, 3>> faces;  // of points; empty without listed forces
+  std::vector<FaceRow> face_rows;           // in their order; empty without wind
+  HingePlan hinges;                         // empty without the bending force
+  EnclosurePlan enclosures;                 // empty without the pressure force
+  StickyPlan sticky;
+};
+
+// What the hand pulls or holds.
+struct PlannedHand {
+  std::optional<PlannedPull> pull;
+  std::optional<Index> held;             // the point that it holds
+  double held_mass = 0.0;                // [kg], of it; 0 if it is a nail, which has no energy
+  std::vector<HeldSpring> held_springs;  // on it; empty without one
+};
+
+struct Plan {
+  PointNumbers numbering;
   Index points = 0;
   Index springs = 0;
   int dimensions = 3;
@@ -117,68 +161,48 @@ struct Plan {
   Vec3 acceleration{0.0};            // [m/s^2], of every point: gravity, and drag times wind
   double drag = 0.0;                 // [1/s]
 
-  // Springs in the order of the runs.
-  std::vector<SpringRun> runs;
-  std::vector<double> stiffness, rest_length;
-  std::vector<double> damping;      // empty: no dashpots
-  std::vector<Index> spring_index;  // of the packed spring, in the System
+  PlannedSprings spring;
 
-  // The same springs for force kernels: those of grids, and the runs of all others.
-  std::vector<Grid> grids;
-  std::vector<SpringRun> loose_runs;
-
-  std::vector<double> break_length;  // [m], of the packed spring, at which it breaks; empty: none breaks
-  std::vector<double> max_length;    // [m], of the strain limit; empty: no limit
-
-  std::vector<double> radius;         // [m], per point; empty: no contact and no listed forces
-  std::vector<Collider> colliders;    // the solid ones, at the start of their paths
-  std::vector<Index> collider_index;  // of the planned collider, in the System
-  bool colliders_move = false;        // along their paths or with the hand
-  // [s], the longest step that resolves the oscillations of the colliders; infinity: none oscillates
-  double resolving_step = std::numeric_limits<double>::infinity();
-  std::optional<GrabbedCollider> grabbed_collider;
+  std::vector<double> radius;       // [m], per point; empty: no contact and no listed forces
+  std::vector<Collider> colliders;  // the solid ones, at the start of their paths
+  ColliderPaths collider_paths;
   PairPlan pairs;             // of points that touch
   SurfacePlan surface;        // of faces and springs that touch
   std::vector<Force> forces;  // those switched on, in the order of the table
-  StickyPlan sticky;
-  bool forces_depend_on_velocity = false;   // whether any of them does
-  std::vector<std::array<Index, 3>> faces;  // of points; empty without listed forces
-  std::vector<FaceRow> face_rows;           // in their order; empty without wind
-  HingePlan hinges;                         // empty without the bending force
-  EnclosurePlan enclosures;                 // empty without the pressure force
-  std::optional<PlannedPull> pull;
-  std::optional<Index> held;             // the point that the hand holds
-  double held_mass = 0.0;                // [kg], of it; 0 if it is a nail, which has no energy
-  std::vector<HeldSpring> held_springs;  // on it; empty without one
+  ForceData force_data;
+  PlannedHand hand;
 
   Spectrum spectrum;
 
   Execution execution;  // set by whoever steps; a new plan is stepped by one thread in double precision
 
   // From the index of a point in the System to that in the Plan, and back.
-  Index number_of(Index listed) const { return point_number.empty() ? listed : point_number[listed]; }
-  Index listed_index(Index number) const { return point_index.empty() ? number : point_index[number]; }
+  Index number_of(Index listed) const { return numbering.number.empty() ? listed : numbering.number[listed]; }
+  Index listed_index(Index number) const { return numbering.index.empty() ? number : numbering.index[number]; }
 
   bool has_contact() const { return !colliders.empty() || touches_itself(); }
   bool touches_itself() const { return pairs.on || surface.on; }
-  bool has_dashpots() const { return !damping.empty(); }
+  bool has_dashpots() const { return !spring.damping.empty(); }
 
   // Displacement of a collider from its rest position at a time, and its velocity.
   Vec3 offset_of(std::size_t collider, double time) const {
     const Vec3 offset = colliders[collider].path.offset(time);
-    return grabbed_collider && grabbed_collider->collider == collider
-               ? offset + (time - grabbed_collider->start) * grabbed_collider->velocity
-               : offset;
+    const std::optional<GrabbedCollider>& grabbed = collider_paths.grabbed;
+    return grabbed && grabbed->collider == collider ? offset + (time - grabbed->start) * grabbed->velocity : offset;
   }
   Vec3 velocity_of(std::size_t collider, double time) const {
     const Vec3 velocity = colliders[collider].path.velocity(time);
-    return grabbed_collider && grabbed_collider->collider == collider ? velocity + grabbed_collider->velocity : velocity;
+    const std::optional<GrabbedCollider>& grabbed = collider_paths.grabbed;
+    return grabbed && grabbed->collider == collider ? velocity + grabbed->velocity : velocity;
   }
 };
 
-// The number of springs from which a scene is stepped in grids and flights (flight.h). In smaller scenes there is little time to save, and
-// recordings of earlier versions replay with the same bits.
-inline constexpr Index min_springs_of_grids = 256;
+// The vector of point i in a field; flat in flat scenes.
+inline Vec3 vector_at(const Plan& plan, const double* field, Index i) {
+  const auto n = static_cast<std::size_t>(plan.points);
+  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
+}
+inline Vec3 vector_at(const Plan& plan, const Field& field, Index i) { return vector_at(plan, field.data(), i); }
 
 enum class Numbering { Fastest, AsListed };
 

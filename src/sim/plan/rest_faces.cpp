@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "sim/plan/constants.h"
+
 namespace hooke {
 
 RestFace rest_face(const System& system, const RestLengths& lengths, const Face& face) {
@@ -19,12 +21,10 @@ RestFace rest_face(const System& system, const RestLengths& lengths, const Face&
   for (int c = 0; c < 3; ++c)
     if (l[c] == 0.0) l[c] = std::sqrt(l[(c + 1) % 3] * l[(c + 1) % 3] + l[(c + 2) % 3] * l[(c + 2) % 3]);
 
-  // Heron's formula; below this height a face is degenerate
-  constexpr double min_relative_height = 1e-6;
+  // Heron's formula
   const double s = 0.5 * (l[0] + l[1] + l[2]), square = s * (s - l[0]) * (s - l[1]) * (s - l[2]), max = std::max({l[0], l[1], l[2]});
   const double area = square > 0.0 ? std::sqrt(square) : 0.0;
-  constexpr double min_area = 1e-200, max_area = 1e200;  // [m^2], of finite stiffness
-  if (!(2.0 * area > min_relative_height * max * max) || !(area > min_area) || !(area < max_area)) return rest;
+  if (!(2.0 * area > min_relative_height * max * max) || !(area > min_rest_area) || !(area < max_rest_area)) return rest;
   rest.area = area;
   for (int c = 0; c < 3; ++c) {
     const double a = l[(c + 1) % 3], b = l[(c + 2) % 3];

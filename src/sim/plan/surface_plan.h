@@ -61,12 +61,4 @@ struct SurfacePlan {
 
 SurfacePlan plan_surface(const System& system);
 
-// The thickness of a face or spring is at most this part of its smallest height or length at rest, so that it does not touch its
-// neighbors at rest.
-inline constexpr double max_relative_thickness = 0.5;
-// The same for the minimum, which keeps the thickness from vanishing.
-inline constexpr double min_relative_thickness = 0.05;
-// [m], of faces without springs.
-inline constexpr double min_thickness = 1e-3;
-
 }  // namespace hooke

@@ -63,7 +63,7 @@ void restore(const ContactWorkspace& state, Motion& motion) {
 }
 
 // Without contact and a strain limit a step needs no correction.
-bool has_corrections(const Plan& plan) { return plan.has_contact() || !plan.max_length.empty(); }
+bool has_corrections(const Plan& plan) { return plan.has_contact() || !plan.spring.max_length.empty(); }
 
 // A step of the method alone, with the work of forces and damping along it.
 double advance_freely(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, DampingWork& damping,
@@ -158,7 +158,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
 
   // the strain limit is imposed once per substep and does not converge with the step, so that no step would be short enough for it; contact
   // of faces and springs is of first order, with impacts that never end while a cloth folds
-  if (!work.tolerance || !plan.max_length.empty() || plan.surface.on) {
+  if (!work.tolerance || !plan.spring.max_length.empty() || plan.surface.on) {
     store(motion, before_);
     const double h = advance_freely(plan, method, motion, work, interval, before_.damping, force_work);
     if (h != 0.0) correct(plan, before_, motion, h, h == left, force_work);

@@ -43,7 +43,7 @@ class AdaptiveStep {
                  ForceWork& force_work);
   // Whether one of the limits of the frame is reached.
   bool is_at_limit(const Motion& motion) const {
-    return motion.force_evaluations >= max_evaluations_ || surface_steps_ >= max_adaptive_surface_steps;
+    return motion.counts.force_evaluations >= max_evaluations_ || surface_steps_ >= max_adaptive_surface_steps;
   }
   bool has_too_many_pairs() const { return before_.has_too_many_pairs() || piece_.has_too_many_pairs(); }
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/clearance.h"
 #include "sim/forces/bands.h"
 #include "sim/forces/forces.h"
 #include "sim/forces/hand.h"
@@ -44,33 +42,33 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   prepare_hand(plan, system, state, duration_);
   integrator_ = settings.integrator;
   substeps_ = settings.substeps;
-  substeps_done_ = one_by_one_until_ = 0;
+  substeps_done_ = 0;
   failure_ = StepFailure::None;
   has_touched_ = has_impact_ = false;
   h_ = duration_ / substeps_;
   left_ = prepared_ = h_;
-  locates_breaks_ = settings.locates_breaks && !plan.break_length.empty();
+  locates_breaks_ = settings.locates_breaks && !plan.spring.break_length.empty();
   start_ = state.time;
   pack(plan, state, motion_);
-  collider_displacement_ = plan.grabbed_collider ? duration_ * plan.grabbed_collider->velocity : Vec3(0.0);
+  collider_displacement_ = plan.collider_paths.grabbed ? duration_ * plan.collider_paths.grabbed->velocity : Vec3(0.0);
 
   // a held point moves in a straight line to the target, as a point of infinite mass with that velocity: exact for every method
   const std::optional<ActiveGrab> grab = active_grab(system, state, duration_);
   const Vec3 from = grab && !system.grab ? state.position[system.index_of(grab->point)] : state.hand.position;
   target_ = grab ? clamp_hand_target(system, from, grab->target, duration_) : Vec3(0.0);
-  const Vec3 displacement = !grab ? Vec3(0.0) : target_ - (plan.held ? state.position[plan.listed_index(*plan.held)] : from);
+  const Vec3 displacement = !grab ? Vec3(0.0) : target_ - (plan.hand.held ? state.position[plan.listed_index(*plan.hand.held)] : from);
   hand_speed_ = (glm::length(displacement) + glm::length(collider_displacement_)) / duration_;
   hand_stretch_ = grab ? stretch_energy(system, glm::length(displacement) / substeps_) : 0.0;
-  if (plan.held) {
-    const Vec3 velocity = displacement / duration_, before = state.velocity[plan.listed_index(*plan.held)];
-    for (int c = 0; c < plan.dimensions; ++c) motion_.v[static_cast<std::size_t>(c) * plan.points + *plan.held] = velocity[c];
-    motion_.hand_work = 0.5 * plan.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before));
+  if (plan.hand.held) {
+    const Vec3 velocity = displacement / duration_, before = state.velocity[plan.listed_index(*plan.hand.held)];
+    for (int c = 0; c < plan.dimensions; ++c) motion_.v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held] = velocity[c];
+    motion_.hand_work = 0.5 * plan.hand.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before));
     motion_.abs_hand_work = std::abs(motion_.hand_work);
   }
 
   broken_.clear();
-  broken_.reserve(plan.break_length.size());
-  motion_.breaks.reserve(plan.break_length.size());
+  broken_.reserve(plan.spring.break_length.size());
+  motion_.breaks.reserve(plan.spring.break_length.size());
   work_.tolerance = settings.tolerance;
   work_.min_step = 1e-9 * h_;
   force_work_.begin_frame(plan, motion_);
@@ -83,77 +81,41 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_, work_);
 }
 
-// Several substeps at once, so many that they take about a millisecond, or more if there are more springs. Whether anything acts
-// between them is known only afterwards: then they are taken back.
-bool Frame::fly(Plan& plan) {
-  constexpr int springs_at_once = 1'000'000, max_at_once = 64;
-  const int at_once =
-      plan.execution.single ? max_at_once : std::clamp(springs_at_once / std::max(1, static_cast<int>(plan.springs)), 8, max_at_once);
-  const int count = std::min(at_once, substeps_ - substeps_done_);
-  const bool is_worth_it = integrator_->fly != nullptr && !plan.touches_itself() && plan.springs >= min_springs_of_grids && count > 1;
-  // not after a part of a substep
-  if (left_ != h_ || prepared_ != h_) return false;
-  if (!is_worth_it || substeps_done_ < one_by_one_until_ || !can_fly(plan)) return false;
-  one_by_one_until_ = substeps_done_ + count;
-  motion_.moved = {};
+namespace {
 
-  Flight flight{.clearance = compute_clearance(plan, motion_.x)};
-  if (flight.was_interrupted()) return false;
-  const bool may_be_interrupted = !plan.colliders.empty() || !plan.break_length.empty() || !plan.max_length.empty();
-  if (may_be_interrupted) keep_start(plan, motion_, before_);
+// Whether nothing acts between two substeps or depends on the time.
+bool acts_between_substeps(const Plan& plan) {
+  return plan.hand.held || plan.hand.pull || plan.has_contact() || !plan.forces.empty() || !plan.spring.break_length.empty() ||
+         !plan.spring.max_length.empty();
+}
+
+}  // namespace
+
+// Several substeps at once, where the method is faster for it. Not after a part of a substep.
+bool Frame::take_several(const Plan& plan) {
+  constexpr int max_at_once = 64;
+  const int count = std::min(max_at_once, substeps_ - substeps_done_);
+  if (integrator_->steps == nullptr || count == 1 || left_ != h_ || prepared_ != h_ || acts_between_substeps(plan)) return false;
   force_work_.begin_substep(plan, motion_);
-  integrator_->fly(plan, motion_, work_, h_, count, flight);
-  if (flight.was_interrupted()) {
-    motion_.time = before_.time;
-    motion_.x = before_.x;
-    motion_.v = before_.v;
-    motion_.acceleration_is_current = false;
-    return false;
-  }
+  integrator_->steps(plan, motion_, work_, h_, count);
   substeps_done_ += count;
   motion_.time = start_ + substeps_done_ * h_;
   motion_.measures_damping = false;
+  force_work_.integrate_power(plan, motion_, count * h_);
+  force_work_.end_substep(plan, motion_, count * h_, false);
   return true;
 }
 
-// Whether the substep that contact ended left every bit as it was before: then so do all that follow it.
-bool Frame::is_at_rest(const Plan& plan) const {
-  const bool acts_alone = plan.max_length.empty() && plan.break_length.empty() && plan.forces.empty() && !plan.touches_itself();
-  if (integrator_->fly == nullptr || !acts_alone || !can_fly(plan)) return false;
-  const auto is_same = [](const Field& a, const Field& b) { return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0; };
-  return is_same(motion_.v, before_.v) && is_same(motion_.x, before_.x);
-}
-
-// The rest of the frame at rest, with what each substep counts: force evaluations, sweeps over dashpots, and the work of contact.
-void Frame::stay(long evaluations, long sweeps) {
-  for (; substeps_done_ < substeps_; ++substeps_done_) {
-    motion_.force_evaluations += evaluations;
-    motion_.dashpot_sweeps += sweeps;
-    motion_.contact_work += before_.contact_work;
-  }
-  motion_.time = start_ + substeps_done_ * h_;
-}
-
 void Frame::substep(Plan& plan) {
-  const int done_before = substeps_done_;
-  if (fly(plan)) {
-    const double flown = (substeps_done_ - done_before) * h_;
-    force_work_.integrate_power(plan, motion_, flown);
-    const bool is_moved = act(plan, h_, false);
-    force_work_.end_substep(plan, motion_, flown, is_moved);
-    break_long_springs(plan);
-    return;
-  }
+  if (take_several(plan)) return;
 
   const bool is_adaptive = integrator_->advance != nullptr;
-  const bool lags = integrator_->velocity_lag != 0.0 && !plan.max_length.empty();
+  const bool lags = integrator_->velocity_lag != 0.0 && !plan.spring.max_length.empty();
   if (left_ == h_) sticking_.begin_substep();
   sticking_.begin_step(plan, motion_);
-  const bool may_release = !plan.sticky.held.empty();
+  const bool may_release = !plan.force_data.sticky.held.empty();
   if (((plan.has_contact() || lags) && !is_adaptive) || may_release) keep_start(plan, motion_, before_);
 
-  const long evaluations_before = motion_.force_evaluations, sweeps_before = motion_.dashpot_sweeps;
-  const bool knew_acceleration = motion_.acceleration_is_current;
   bool is_moved = false;
   const double length = may_release ? advance_to_release(plan, next_step(plan), is_moved) : advance(plan, next_step(plan), is_moved);
   if (length == 0.0) return;
@@ -162,17 +124,13 @@ void Frame::substep(Plan& plan) {
   substeps_done_ += ends ? 1 : 0;
   if (is_adaptive && substeps_done_ < substeps_ && adaptive_step_.is_at_limit(motion_)) failure_ = StepFailure::TooMany;
   if (!is_adaptive || ends || locates_breaks_) break_long_springs(plan);
-  const long sweeps = motion_.dashpot_sweeps - sweeps_before;
-  // dashpots among the forces act at velocities that the state does not contain
-  const bool is_state_complete = !plan.has_dashpots() || sweeps > 0;
-  if (is_moved && !knew_acceleration && is_state_complete && is_at_rest(plan)) stay(motion_.force_evaluations - evaluations_before, sweeps);
   if (plan.touches_itself() && (is_adaptive ? adaptive_step_.has_too_many_pairs() : before_.has_too_many_pairs()))
     failure_ = StepFailure::TooManyPairs;
 }
 
 // By `length` [s], or by less with a method that adapts its step, up to where springs break. Returns the length; 0: it failed.
 double Frame::advance(Plan& plan, double length, bool& is_moved) {
-  const bool is_adaptive = integrator_->advance != nullptr, has_hand = plan.held || plan.pull;
+  const bool is_adaptive = integrator_->advance != nullptr, has_hand = plan.hand.held || plan.hand.pull;
   const double power = hand_power(plan, motion_), stored = energy_of_hand_alone(plan, motion_);
   if (is_adaptive) {
     length = adaptive_step_.advance(plan, *integrator_, motion_, work_, length, left_, force_work_);
@@ -206,7 +164,7 @@ double Frame::advance(Plan& plan, double length, bool& is_moved) {
   is_moved = false;
   if (!is_adaptive) {
     force_work_.integrate_power(plan, motion_, length);
-    is_moved = act(plan, length, true);
+    is_moved = act(plan, length);
     force_work_.end_substep(plan, motion_, length, is_moved);
   }
   return length;
@@ -227,7 +185,6 @@ double Frame::advance_to_release(Plan& plan, double length, bool& is_moved) {
     motion_.x = before_.x;
     motion_.v = before_.v;
     motion_.acceleration_is_current = false;
-    motion_.moved = {};
     before.restore(motion_, force_work_);
     if (release > 0.0) {
       length = advance(plan, release, is_moved);
@@ -240,22 +197,20 @@ double Frame::advance_to_release(Plan& plan, double length, bool& is_moved) {
 }
 
 // What acts between two substeps: strain limit first, then contact; only after that do springs break. Returns whether points were moved.
-bool Frame::act(Plan& plan, double h, bool may_touch) {
+bool Frame::act(Plan& plan, double h) {
   bool is_moved = limit_strain(plan, before_, motion_);
-  if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h)) {
-    if (!is_moved && motion_.acceleration_is_current && !plan.touches_itself()) motion_.moved = before_.touched;
+  if (plan.has_contact() && resolve_contacts(plan, before_, motion_, h)) {
     is_moved = has_touched_ = true;
     has_impact_ = has_impact_ || std::isfinite(before_.first_impact);
   }
   if (is_moved) motion_.acceleration_is_current = false;
-  if (may_touch) before_.damping.end_substep(plan, h, before_.is_limited, motion_);
+  before_.damping.end_substep(plan, h, before_.is_limited, motion_);
   return is_moved;
 }
 
 void Frame::break_long_springs(Plan& plan) {
-  if (plan.break_length.empty() || !break_springs(plan, motion_, broken_)) return;
+  if (plan.spring.break_length.empty() || !break_springs(plan, motion_, broken_)) return;
   motion_.acceleration_is_current = false;
-  motion_.moved = {};
   prepare_method(plan, prepared_);
 }
 
@@ -272,7 +227,7 @@ void Frame::prepare_method(const Plan& plan, double h) {
 // oscillations of colliders, or of springs that break at their largest length: parts of the substep.
 double Frame::next_step(const Plan& plan) const {
   const bool is_adaptive = integrator_->advance != nullptr;
-  double max = is_adaptive ? plan.resolving_step : left_;
+  double max = is_adaptive ? plan.collider_paths.resolving_step : left_;
   if (locates_breaks_) {
     constexpr double max_angle = 0.25;       // [rad], of the fastest vibration
     constexpr double min_part = 1.0 / 64.0;  // of a substep, by which a spring may break too late
@@ -300,13 +255,13 @@ void Frame::end(const Plan& plan, State& state) const {
   state.ledger.net_input += motion_.hand_work;
   state.ledger.scale += motion_.abs_hand_work;
   state.ledger.hand_stretch = std::max(state.ledger.hand_stretch, hand_stretch_);
-  if (state.ledger.extent && (plan.held || plan.pull || plan.grabbed_collider)) {
+  if (state.ledger.extent && (plan.hand.held || plan.hand.pull || plan.collider_paths.grabbed)) {
     const double distance = state.hand.collider ? glm::length(anchor_of(state.hand.collider->shape)) : 0.0;
     state.ledger.extent = std::max({*state.ledger.extent, glm::length(target_), distance});
     state.ledger.speed = std::max(state.ledger.speed.value_or(0.0), hand_speed_);
   }
-  if (plan.held)
-    for (int c = 0; c < plan.dimensions; ++c) state.position[plan.listed_index(*plan.held)][c] = target_[c];
+  if (plan.hand.held)
+    for (int c = 0; c < plan.dimensions; ++c) state.position[plan.listed_index(*plan.hand.held)][c] = target_[c];
 }
 
 }  // namespace hooke

@@ -50,18 +50,16 @@ class Frame {
 
   // Of a method that adapts its step, for the coming frames: fewer than max_adaptive_evaluations.
   void limit_evaluations(long max) { adaptive_step_.limit_evaluations(max); }
-  long force_evaluations() const { return motion_.force_evaluations; }
-  long factorizations() const { return motion_.factorizations; }
+  long force_evaluations() const { return motion_.counts.force_evaluations; }
+  long factorizations() const { return motion_.counts.factorizations; }
   // All cost counters, and the method's own error estimate.
   const Motion& motion() const { return motion_; }
 
  private:
-  bool fly(Plan& plan);
-  bool is_at_rest(const Plan& plan) const;
-  void stay(long evaluations, long sweeps);
+  bool take_several(const Plan& plan);
   double advance(Plan& plan, double length, bool& is_moved);
   double advance_to_release(Plan& plan, double length, bool& is_moved);
-  bool act(Plan& plan, double h, bool may_touch);
+  bool act(Plan& plan, double h);
   void break_long_springs(Plan& plan);
   void prepare_method(const Plan& plan, double h);
   double next_step(const Plan& plan) const;
@@ -69,8 +67,7 @@ class Frame {
   const Integrator* integrator_ = nullptr;
   double start_ = 0.0, duration_ = 0.0, h_ = 0.0;  // [s]
   int substeps_ = 0, substeps_done_ = 0;
-  int one_by_one_until_ = 0;  // substep before which something acts between them
-  double left_ = 0.0;         // [s], of the substep in progress
+  double left_ = 0.0;  // [s], of the substep in progress
   bool locates_breaks_ = false;
   double prepared_ = 0.0;  // [s], the step for which the method is prepared
   StepFailure failure_ = StepFailure::None;

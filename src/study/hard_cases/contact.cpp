@@ -76,7 +76,7 @@ Verdict judge_endless_bounces(const Integrator& method) {
       if (run.state().time > rest + 1.0 / 60.0) jitter = std::max(jitter, up);
     }
     // timing errors of half a step at every bounce accumulate in first-order methods
-    const Expectation expected = method.order_contact == 1 ? Expectation::HoldOrReport : Expectation::Hold;
+    const Expectation expected = method.order_with.contact == 1 ? Expectation::HoldOrReport : Expectation::Hold;
     parts.push_back(
         judge(run, expected, std::abs(rest_time - rest) <= 1.0 / 60.0 + 1e-9 && jitter <= 1e-6,
               formatted("%d substeps: at rest with a timing error of %+.3f s, then moves by %.1g m", substeps, rest_time - rest, jitter)));

@@ -85,7 +85,7 @@ Verdict solve_to_convergence(double k_dt2_per_m) {
     newton.begin_frame(plan, motion);
     Field V = motion.v;
     newton.solve(plan, {frame, frame, motion.x, motion.v}, {.tolerance = 1e-10, .iterations = 400, .factorizations = 400}, V, motion);
-    converged += motion.unconverged_solves == 0 ? 1 : 0;
+    converged += motion.counts.unconverged_solves == 0 ? 1 : 0;
   }
   return {.outcome = converged == seeds ? Outcome::Held : Outcome::FailedSilently,
           .measured = formatted("%.0e: %d of %d solves converge", k_dt2_per_m, converged, seeds)};
@@ -177,7 +177,7 @@ Verdict judge_huge_damping(const Integrator& method) {
 
   const double error = rms_distance(run.system(), run.state(), exact);
   // first-order methods are not that accurate at so few steps
-  return judge(run, method.order_damped == 1 ? Expectation::HoldOrReport : expectation_of(run), error <= 1e-4,
+  return judge(run, method.order_with.damped == 1 ? Expectation::HoldOrReport : expectation_of(run), error <= 1e-4,
                formatted("error %.1g m after 1 s", error));
 }
 

@@ -54,7 +54,7 @@ void SurfaceSolver::start_frame(const Plan& plan) {
     inverse_mass_[k] = plan.inverse_mass[points[k]];
     local_[points[k]] = static_cast<Index>(k);
   }
-  held_ = plan.held ? local_[*plan.held] : no_index;
+  held_ = plan.hand.held ? local_[*plan.hand.held] : no_index;
   detection_.begin_frame(plan.surface, x_);
 }
 
@@ -67,7 +67,7 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
 
   // pairs that are near, those of them that may touch, and what these may be pressed into
   has_failed_ = !detection_.find_near(plan.surface, x_, u_, h);
-  motion.contact_tests += detection_.tests();
+  motion.counts.contact_tests += detection_.tests();
   if (has_failed_ || detection_.near().empty()) return false;
   const SurfaceContacts::Step step{
       .plan = plan.surface, .inverse_mass = inverse_mass_, .x = x_, .arm = arm_, .u = free_u_, .h = h, .held = held_};
@@ -83,14 +83,14 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
   // impulses on the paths, and impacts of what would meet nevertheless
   contacts_.solve_paths(step, u_);
   impacts_.prevent(plan.surface, detection_, inverse_mass_, x_, h, held_, u_);
-  motion.contact_tests += impacts_.distances();
+  motion.counts.contact_tests += impacts_.distances();
   has_failed_ = impacts_.has_failed();
   if (has_failed_) return false;
 
   // velocities at the end
   for (std::size_t k = 0; k < x_.size(); ++k) velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]) + (u_[k] - free_u_[k]);
   contacts_.solve_ends(step, u_, velocity_);
-  motion.contact_impulses += contacts_.impulses;
+  motion.counts.contact_impulses += contacts_.impulses;
   write(plan, v0, h, motion);
   return true;
 }
@@ -175,7 +175,7 @@ void SurfaceSolver::write(const Plan& plan, const Field& v0, double h, Motion& m
 // Impulses on the held point are bounded one by one: near it, they may be far larger than what the other points of a feature take of them.
 SuppliedWork SurfaceSolver::supplied_work(const Plan& plan, const Motion& motion) const {
   SuppliedWork supplied;
-  if (plan.held) {
+  if (plan.hand.held) {
     double impulses = impacts_.held_impulse();
     for (const SurfaceContact& contact : contacts_.surface)
       for (int c = 0; c < 4; ++c)

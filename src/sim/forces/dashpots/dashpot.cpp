@@ -170,13 +170,13 @@ void decay_dashpots(const Plan& plan, std::span<const SpringRun> runs, const std
 void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& decay) {
   // vectors of every other spring that are not full read on
   constexpr std::size_t padding = 16;
-  decay.assign(plan.damping.size() + padding, 0.0);
+  decay.assign(plan.spring.damping.size() + padding, 0.0);
   // consecutive springs are usually equal, and exponentials are expensive
   double previous_exponent = 0.0, decay_fraction = 0.0;
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const double inverse = plan.inverse_mass[run.first + e] + plan.inverse_mass[run.second + e];
-      const double exponent = plan.damping[run.begin + e] * duration * inverse;
+      const double exponent = plan.spring.damping[run.begin + e] * duration * inverse;
       if (exponent != previous_exponent) {
         previous_exponent = exponent;
         decay_fraction = -portable::expm1(-exponent);

@@ -6,15 +6,13 @@
 
 #include <span>
 
+#include "sim/forces/constants.h"
 #include "sim/plan/plan.h"
 
 namespace hooke {
 
 // One spring after another in the order of the runs, or in exactly the reverse order.
 enum class SweepDirection { Forward, Backward };
-
-// [m^2], of coincident ends: shorter springs have no well-defined direction, and g may overflow.
-inline constexpr double min_dashpot_length_squared = 1e-280;
 
 // Changes v by the dashpots of springs in `runs` of the Plan or parts of them. `decay` comes from plan_dashpot_decay. Springs between
 // coincident points do nothing.

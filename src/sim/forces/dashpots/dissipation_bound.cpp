@@ -18,7 +18,7 @@ bool has_damping(const System& system) {
 
 // Whether something but springs, gravity, drag and dashpots did work.
 bool is_supplied(const Plan& plan, const Motion& motion) {
-  if (plan.held || plan.pull || !plan.forces.empty() || !motion.breaks.empty()) return true;
+  if (plan.hand.held || plan.hand.pull || !plan.forces.empty() || !motion.breaks.empty()) return true;
   for (const double work :
        {motion.contact_work, motion.collider_work, motion.hand_work, motion.force_work, motion.break_work, motion.limit_work})
     if (work != 0.0) return true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/forces/constants.h"
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
@@ -62,7 +63,7 @@ void ForceWork::begin_frame(const Plan& plan, const Motion& motion) {
   memory_ = {};
   has_power_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
   has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
-  is_alone_ = !plan.held && !plan.pull && air_acceleration(plan) == Vec3(0.0);
+  is_alone_ = !plan.hand.held && !plan.hand.pull && air_acceleration(plan) == Vec3(0.0);
   if (!has_work(plan)) return;
   x_.resize(motion.x.size());
   if (plan.forces.empty()) return;
@@ -73,11 +74,10 @@ void ForceWork::begin_substep(const Plan& plan, const Motion& motion) {
   if (!has_work(plan)) return;
   time_ = motion.time;
   power_work_ = 0.0;
-  // such a step follows, which needs no more than the power at both ends
-  const bool is_external = motion.contents == Motion::Forces::External && motion.acceleration_is_current;
-  if (!is_external || plan.has_contact() || air_acceleration(plan) != Vec3(0.0)) std::ranges::copy(motion.x, x_.begin());
+  // a method that knows the power at the end of its steps needs no more
+  if (!motion.power || plan.has_contact() || has_potential_ || air_acceleration(plan) != Vec3(0.0)) std::ranges::copy(motion.x, x_.begin());
   if (!has_power_) return;
-  if (!is_external) std::ranges::copy(motion.v, v_.begin());
+  if (!motion.power) std::ranges::copy(motion.v, v_.begin());
   if (!memory_.power_is_current) memory_.power = power_of(plan, motion.time, motion.x, motion.v);
 }
 
@@ -93,32 +93,19 @@ double ForceWork::energy_change(const Plan& plan, const Motion& motion) const {
 
 void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h) {
   if (!has_power_) return;
-  const bool is_external = motion.contents == Motion::Forces::External;
   const double start = memory_.power, middle = time_ + 0.5 * h;
-  if (motion.contents == Motion::Forces::Open) {
-    memory_.power = add_force_terms_with_power(plan, motion.time, motion.x, motion.v, motion.forces);
-    motion.contents = Motion::Forces::Complete;
-  } else if (is_external) {
-    // where the two differ, that of the velocity at which they were computed, at which they supply no more than moving air does
-    constexpr double max_difference = 0.2;
-    const double difference = std::abs(motion.power - motion.power_as_computed);
-    memory_.power = difference <= max_difference * std::abs(motion.power_as_computed) ? motion.power : motion.power_as_computed;
-  } else {
-    memory_.power = power_of(plan, motion.time, motion.x, motion.v);
-  }
   memory_.power_is_current = true;
-  if (is_external) {
+  if (motion.power) {
+    memory_.power = *motion.power;
     power_work_ = 0.5 * h * (start + memory_.power);
     return;
   }
-  // With a larger product Simpson's rule yields more than implicit methods dissipate, by a fraction of (rate h)^2 / 12, which would appear
-  // as a gain. Points faster than the air have higher rates than these: then the power changes by more than a part of itself.
-  constexpr double max_resolved = 0.3, max_bend = 0.2;
-  if ((plan.spectrum.force_rate + plan.spectrum.estimated_rate) * h <= max_resolved) {
+  memory_.power = power_of(plan, motion.time, motion.x, motion.v);
+  if ((plan.spectrum.force_rate + plan.spectrum.estimated_rate) * h <= max_resolved_rate) {
     set_cubic_middle({x_.data(), v_.data(), motion.x.data(), motion.v.data()}, h, middle_x_.data(), middle_v_.data(), x_.size());
     const double in_the_middle = power_of(plan, middle, middle_x_, middle_v_);
     if (std::abs(start - 2.0 * in_the_middle + memory_.power) <=
-        max_bend * std::max({std::abs(start), std::abs(in_the_middle), std::abs(memory_.power)})) {
+        max_power_bend * std::max({std::abs(start), std::abs(in_the_middle), std::abs(memory_.power)})) {
       power_work_ = h / 6.0 * (start + 4.0 * in_the_middle + memory_.power);
       return;
     }
@@ -153,9 +140,9 @@ void ForceWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_
     // middle of its path.
     Field& end_x = middle_x_;
     std::ranges::copy(motion.x, end_x.begin());
-    if (plan.held)
+    if (plan.hand.held)
       for (int c = 0; c < plan.dimensions; ++c) {
-        const std::size_t held = static_cast<std::size_t>(c) * plan.points + static_cast<std::size_t>(*plan.held);
+        const std::size_t held = static_cast<std::size_t>(c) * plan.points + static_cast<std::size_t>(*plan.hand.held);
         x_[held] = end_x[held] = 0.5 * (x_[held] + motion.x[held]);
       }
     reversible += potential_work(plan, middle, x_, end_x);

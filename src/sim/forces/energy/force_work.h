@@ -15,7 +15,7 @@ class ForceWork {
   // Call once per frame; a step never allocates.
   void begin_frame(const Plan& plan, const Motion& motion);
   void begin_substep(const Plan& plan, const Motion& motion);
-  // Integrates the power over the substep, and completes motion.forces. Call it before contact or the strain limit move points, whose
+  // Integrates the power over the substep. Call it before contact or the strain limit move points, whose
   // displacements are not the motion along which the forces work.
   void integrate_power(const Plan& plan, Motion& motion, double h);
   // Adds the work since begin_substep to that of the motion. `is_moved`: positions or velocities were changed after integrate_power.

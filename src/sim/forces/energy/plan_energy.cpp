@@ -13,7 +13,7 @@ double stored_energy(const Plan& plan, const Field& x) {
   for (int c = 0; c < plan.dimensions; ++c)
     for (Index i = 0; i < plan.points; ++i)
       if (plan.inverse_mass[i] != 0.0) energy -= plan.mass[i] * plan.gravity[c] * x[static_cast<std::size_t>(c) * plan.points + i];
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       double length_squared = 0.0;
       for (int c = 0; c < plan.dimensions; ++c) {
@@ -21,8 +21,8 @@ double stored_energy(const Plan& plan, const Field& x) {
         const double difference = at[run.second + e] - at[run.first + e];
         length_squared += difference * difference;
       }
-      const double stretch = std::sqrt(length_squared) - plan.rest_length[run.begin + e];
-      energy += 0.5 * plan.stiffness[run.begin + e] * stretch * stretch;
+      const double stretch = std::sqrt(length_squared) - plan.spring.rest_length[run.begin + e];
+      energy += 0.5 * plan.spring.stiffness[run.begin + e] * stretch * stretch;
     }
   return energy;
 }

@@ -37,14 +37,9 @@ double stiffness_of(const ForceValues& values) { return values[0]; }
 double damping_of(const ForceValues& values) { return values[0] * values[1]; }  // [N m s]
 bool is_as_built(const ForceValues& values) { return values[2] != 0.0; }
 
-Vec3 at(const Plan& plan, const double* field, Index i) {
-  const std::size_t n = plan.points, k = i;
-  return {field[k], field[n + k], field[2 * n + k]};
-}
-
 // f_i = -B sum K_ij (x_j - x_i), as the rows of K have the sum 0.
 void add_elastic(const Plan& plan, double stiffness, const double* x, double* f) {
-  const HingePlan& hinges = plan.hinges;
+  const HingePlan& hinges = plan.force_data.hinges;
   for (int c = 0; c < 3; ++c) {
     const double* component = x + static_cast<std::size_t>(c) * plan.points;
     double* force = f + static_cast<std::size_t>(c) * plan.points;
@@ -62,10 +57,10 @@ using HingeVectors = std::array<Vec3, 3>;
 HingeVectors hinge_vectors(const Plan& plan, const HingedFace& face, const double* field) {
   HingeVectors c{};
   std::array<Vec3, 3> corner;
-  for (int a = 0; a < 3; ++a) corner[a] = at(plan, field, face.points[a]);
+  for (int a = 0; a < 3; ++a) corner[a] = vector_at(plan, field, face.points[a]);
   for (int i = 0; i < 3; ++i)
     c[i] = face.weights[i][0] * corner[0] + face.weights[i][1] * corner[1] + face.weights[i][2] * corner[2] +
-           face.weights[i][3] * at(plan, field, face.points[3 + i]);
+           face.weights[i][3] * vector_at(plan, field, face.points[3 + i]);
   return c;
 }
 
@@ -127,7 +122,7 @@ class HingeGradients {
   std::array<double, 3> moments(const Plan& plan, const HingedFace& face, const double* v) const {
     std::array<double, 3> rate{};
     for (int i = 0; i < 3; ++i)
-      for (int a = 0; a < 6; ++a) rate[i] += glm::dot(gradient_[i][a], at(plan, v, face.points[a]));
+      for (int a = 0; a < 6; ++a) rate[i] += glm::dot(gradient_[i][a], vector_at(plan, v, face.points[a]));
     return coupled(face, rate);
   }
 
@@ -145,7 +140,7 @@ class HingeRates : public HingeGradients {
  public:
   HingeRates(const Plan& plan, const HingedFace& face, const double* x) {
     std::array<Vec3, 6> p;
-    for (int a = 0; a < 6; ++a) p[a] = at(plan, x, face.points[a]);
+    for (int a = 0; a < 6; ++a) p[a] = vector_at(plan, x, face.points[a]);
     const Vec3 twice_area = glm::cross(p[1] - p[0], p[2] - p[0]);
     const double size = glm::length(twice_area);
     if (size == 0.0) return;
@@ -179,7 +174,7 @@ class HingeAngles : public HingeGradients {
  public:
   HingeAngles(const Plan& plan, const HingedFace& face, const double* x) {
     std::array<Vec3, 6> p;
-    for (int a = 0; a < 6; ++a) p[a] = at(plan, x, face.points[a]);
+    for (int a = 0; a < 6; ++a) p[a] = vector_at(plan, x, face.points[a]);
     for (int i = 0; i < 3; ++i) {
       has_angle_[i] = face.points[3 + i] != face.points[i];
       for (int t = 0; t < 2 && has_angle_[i]; ++t) {
@@ -235,14 +230,14 @@ void add_moments(const Plan& plan, const HingedFace& face, const HingeGradients&
 }
 
 void add_damping(const Plan& plan, double damping, const double* x, const double* v, double* f) {
-  for (const HingedFace& face : plan.hinges.faces) {
+  for (const HingedFace& face : plan.force_data.hinges.faces) {
     const HingeRates rates(plan, face, x);
     add_moments(plan, face, rates, rates.moments(plan, face, v), damping, f);
   }
 }
 
 void add_as_built(const Plan& plan, const ForceValues& values, const double* x, const double* v, double* f) {
-  for (const HingedFace& face : plan.hinges.faces) {
+  for (const HingedFace& face : plan.force_data.hinges.faces) {
     const HingeAngles angles(plan, face, x);
     add_moments(plan, face, angles, angles.elastic_moments(face), stiffness_of(values), f);
     if (damping_of(values) > 0.0) add_moments(plan, face, angles, angles.moments(plan, face, v), damping_of(values), f);
@@ -250,7 +245,7 @@ void add_as_built(const Plan& plan, const ForceValues& values, const double* x, 
 }
 
 void add(const Plan& plan, const ForceValues& values, double, const double* x, const double* v, double* f) {
-  if (plan.hinges.empty()) return;
+  if (plan.force_data.hinges.empty()) return;
   if (is_as_built(values)) return add_as_built(plan, values, x, v, f);
   add_elastic(plan, stiffness_of(values), x, f);
   if (damping_of(values) > 0.0) add_damping(plan, damping_of(values), x, v, f);
@@ -292,8 +287,8 @@ double highest_row(const System& system, const HingePlan& hinges, bool is_consta
 // The dashpots have the same matrix where the sheet is flat; elsewhere, and with the rest shape as built also the stiffness, it depends on
 // the shape of the faces, which may be degenerate.
 ForceBound bound(const System& system, const Plan& prepared, const ForceValues& values, double) {
-  if (prepared.hinges.empty()) return {};
-  const double max = highest_row(system, prepared.hinges, !is_as_built(values));
+  if (prepared.force_data.hinges.empty()) return {};
+  const double max = highest_row(system, prepared.force_data.hinges, !is_as_built(values));
   ForceBound bound{.estimated_rate = damping_of(values) * max};
   if (bound.estimated_rate > 0.0) bound.rate = ForceBound::none;
   (is_as_built(values) ? bound.estimated_stiffness : bound.stiffness) = stiffness_of(values) * max;
@@ -310,14 +305,14 @@ void for_each_block(const Plan& plan, const HingedFace& face, const HingeGradien
       glm::dmat3 block(0.0);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) block += face.coupling[i][j] * glm::outerProduct(hinges.gradient(i, a), hinges.gradient(j, b));
-      use(a, b, plan.hinges.entry(face.points[a], face.points[b]), block);
+      use(a, b, plan.force_data.hinges.entry(face.points[a], face.points[b]), block);
     }
 }
 
 void add_tangent(const Plan& plan, const ForceValues& values, double, const double* x, const double*, ForceTangent& tangent) {
   const double stiffness = stiffness_of(values), damping = damping_of(values);
   if (is_as_built(values)) {
-    for (const HingedFace& face : plan.hinges.faces) {
+    for (const HingedFace& face : plan.force_data.hinges.faces) {
       const HingeAngles angles(plan, face, x);
       std::array<double, 3> moment = angles.elastic_moments(face);
       for (double& each : moment) each *= stiffness;
@@ -330,7 +325,7 @@ void add_tangent(const Plan& plan, const ForceValues& values, double, const doub
   }
   tangent.add_hinges(stiffness);
   if (damping == 0.0) return;
-  for (const HingedFace& face : plan.hinges.faces)
+  for (const HingedFace& face : plan.force_data.hinges.faces)
     for_each_block(plan, face, HingeRates(plan, face, x),
                    [&](int, int, Index entry, const glm::dmat3& block) { tangent.add_hinge_damping(entry, damping * block); });
 }
@@ -340,14 +335,14 @@ double power_of(const Plan& plan, const HingedFace& face, const HingeGradients& 
   double sum = 0.0;
   for (int a = 0; a < 6; ++a) {
     if (plan.inverse_mass[face.points[a]] == 0.0) continue;
-    for (int i = 0; i < 3; ++i) sum -= moment[i] * glm::dot(hinges.gradient(i, a), at(plan, v, face.points[a]));
+    for (int i = 0; i < 3; ++i) sum -= moment[i] * glm::dot(hinges.gradient(i, a), vector_at(plan, v, face.points[a]));
   }
   return sum;
 }
 
 double potential(const Plan& plan, const ForceValues& values, double, const double* x) {
   double sum = 0.0;
-  for (const HingedFace& face : plan.hinges.faces) {
+  for (const HingedFace& face : plan.force_data.hinges.faces) {
     if (is_as_built(values)) {
       const HingeAngles angles(plan, face, x);
       const std::array<double, 3> moment = angles.elastic_moments(face);
@@ -364,7 +359,7 @@ double potential(const Plan& plan, const ForceValues& values, double, const doub
 double power(const Plan& plan, const ForceValues& values, double, const double* x, const double* v) {
   if (damping_of(values) == 0.0) return 0.0;
   double sum = 0.0;
-  for (const HingedFace& face : plan.hinges.faces)
+  for (const HingedFace& face : plan.force_data.hinges.faces)
     sum += is_as_built(values) ? power_of(plan, face, HingeAngles(plan, face, x), v) : power_of(plan, face, HingeRates(plan, face, x), v);
   return damping_of(values) * sum;
 }
@@ -393,7 +388,7 @@ constinit const ForceTerm bending_force{
     .power = power,
     .is_damped = [](const ForceValues& values) { return damping_of(values) > 0.0; },
     .cost = cost,
-    .prepare = [](const System& system, Plan& plan) { plan.hinges = plan_hinges(system); },
+    .prepare = [](const System& system, Plan& plan) { plan.force_data.hinges = plan_hinges(system); },
 };
 
 }  // namespace hooke

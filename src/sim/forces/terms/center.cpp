@@ -7,7 +7,6 @@
 
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/passage.h"
-#include "sim/forces/terms/center_kernel.h"
 #include "sim/forces/terms/power_law.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/model/portable_math.h"
@@ -58,19 +57,6 @@ Vec3 offset_from(const Plan& plan, const ForceValues& values, const double* x, I
 
 void add(const Plan& plan, const ForceValues& values, double, const double* x, const double*, double* f) {
   const Law law = law_of(values);
-  const double exponent = -law.power - 1.0;
-  if (exponent == std::floor(exponent) && std::abs(exponent) <= 8.0) {
-    add_center_forces(plan,
-                      {.center = {values[0], values[1], values[2]},
-                       .strength = values[3],
-                       .core = law.core,
-                       .exponent = static_cast<int>(exponent),
-                       .core_law = portable::pow(law.core, exponent),
-                       .alpha = law.alpha(),
-                       .beta = law.beta()},
-                      x, f);
-    return;
-  }
   for (Index i = 0; i < plan.points; ++i) {
     const Vec3 offset = offset_from(plan, values, x, i);
     const double stiffness = plan.mass[i] * values[3] * law.over_distance(glm::length(offset));

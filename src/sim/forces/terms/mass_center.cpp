@@ -15,7 +15,7 @@ constexpr ForceParameter numbers[] = {
 
 // 0 for nailed points. A held point counts.
 double counted_mass(const Plan& plan, Index i) {
-  if (plan.held == i) return plan.held_mass;
+  if (plan.hand.held == i) return plan.hand.held_mass;
   return plan.inverse_mass[i] == 0.0 ? 0.0 : plan.mass[i];
 }
 

@@ -1,9 +1,9 @@
 // Gas in closed surfaces (enclosures.h). With r = V / V0, V the volume and V0 the full one, and the excess pressure P = p0 e^(-leak t),
 //   p = (P + a) r^-n - a,   f = p dV/dx,   potential U = -(P + a) V0 g(r) + a V0 (r - 1),   g = integral from 1 to r of s^-n ds.
 // a is the ambient pressure, and n the polytropic exponent: 0 for a constant pressure, 1 for an isothermal gas, 1.4 for adiabatic air. A
-// leak lets out gas until the surface is full at the ambient pressure. Below r = min_ratio, the pressure does not increase further, so that
-// a surface of no volume feels a finite force. V is the magnitude of the volume: a surface that has been turned inside out is filled
-// likewise, and the orientation of the faces in the file does not matter.
+// leak lets out gas until the surface is full at the ambient pressure. Below r = min_volume_ratio, the pressure does not increase further,
+// so that a surface of no volume feels a finite force. V is the magnitude of the volume: a surface that has been turned inside out is
+// filled likewise, and the orientation of the faces in the file does not matter.
 //
 // As the gradient of a function of the shape alone, the forces have no sum and no torque. Their derivative is
 //   df/dx = p d2V/dx2 + p' dV/dx dV/dx^T:
@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/forces/constants.h"
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/model/portable_math.h"
@@ -26,8 +27,6 @@ constexpr ForceParameter numbers[] = {
     {"leak_start", "Leaks from", "s", 0.0, 1000.0, 0.0},
 };
 
-constexpr double min_ratio = 0.05;
-
 // The gas of all enclosures at a time.
 struct Gas {
   double amount;  // [Pa], P + a: of the gas at the full volume
@@ -38,13 +37,13 @@ struct Gas {
     amount += leaked > 0.0 ? values[0] * portable::exp(-leaked) : values[0];
   }
   // [Pa], above the ambient pressure
-  double pressure(double ratio) const { return amount * power(std::max(ratio, min_ratio)) - ambient; }
+  double pressure(double ratio) const { return amount * power(std::max(ratio, min_volume_ratio)) - ambient; }
   // -dp/dr [Pa]
-  double stiffness(double ratio) const { return ratio > min_ratio ? exponent * amount * power(ratio) / ratio : 0.0; }
+  double stiffness(double ratio) const { return ratio > min_volume_ratio ? exponent * amount * power(ratio) / ratio : 0.0; }
   // U / V0 [Pa]
   double potential(double ratio) const {
-    const double base = std::max(ratio, min_ratio);
-    return -amount * (integral(base) + std::min(0.0, ratio - min_ratio) * power(base)) + ambient * (ratio - 1.0);
+    const double base = std::max(ratio, min_volume_ratio);
+    return -amount * (integral(base) + std::min(0.0, ratio - min_volume_ratio) * power(base)) + ambient * (ratio - 1.0);
   }
 
  private:
@@ -68,7 +67,7 @@ struct Filling {
 
 void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, double* f) {
   const Gas gas(values, time);
-  for (const Enclosure& enclosure : plan.enclosures.enclosures) {
+  for (const Enclosure& enclosure : plan.force_data.enclosures.enclosures) {
     const Filling filling(plan, enclosure, x);
     add_volume_gradient(plan, enclosure, filling.sign * gas.pressure(filling.ratio), x, f);
   }
@@ -77,15 +76,15 @@ void add(const Plan& plan, const ForceValues& values, double time, const double*
 double potential(const Plan& plan, const ForceValues& values, double time, const double* x) {
   const Gas gas(values, time);
   double sum = 0.0;
-  for (const Enclosure& enclosure : plan.enclosures.enclosures)
+  for (const Enclosure& enclosure : plan.force_data.enclosures.enclosures)
     sum += enclosure.full_volume * gas.potential(Filling(plan, enclosure, x).ratio);
   return sum;
 }
 
 void add_tangent(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, ForceTangent& tangent) {
   const Gas gas(values, time);
-  for (std::size_t e = 0; e < plan.enclosures.enclosures.size(); ++e) {
-    const Enclosure& enclosure = plan.enclosures.enclosures[e];
+  for (std::size_t e = 0; e < plan.force_data.enclosures.enclosures.size(); ++e) {
+    const Enclosure& enclosure = plan.force_data.enclosures.enclosures[e];
     const Filling filling(plan, enclosure, x);
     const double pressure = filling.sign * gas.pressure(filling.ratio);
     tangent.add_volume(plan, e, gas.stiffness(filling.ratio) / enclosure.full_volume, x);
@@ -144,12 +143,11 @@ Rows rows_at_rest(const System& system, const EnclosurePlan& plan) {
 // depends on the volume; the estimate holds for surfaces that are not stretched and enclose at least two thirds of the full volume. The
 // force increases with the size of the surface without limit.
 ForceBound bound(const System& system, const Plan& prepared, const ForceValues& values, double) {
-  constexpr double ratio = 2.0 / 3.0;
-  const EnclosurePlan& plan = prepared.enclosures;
+  const EnclosurePlan& plan = prepared.force_data.enclosures;
   if (plan.empty()) return {};
   const Gas gas(values, 0.0);
   const bool is_bounded = system.dimensions == 2 && gas.exponent == 0.0;
-  const double pressure = gas.pressure(ratio), stiffness = gas.stiffness(ratio);
+  const double pressure = gas.pressure(estimated_volume_ratio), stiffness = gas.stiffness(estimated_volume_ratio);
   const Rows rows = rows_at_rest(system, plan);
   double curvature = 0.0, total = 0.0;
   for (std::size_t i = 0; i < rows.curvature.size(); ++i) {
@@ -179,7 +177,7 @@ constinit const ForceTerm pressure_force{
     .power = nullptr,
     .depends_on_time = [](const ForceValues& values) { return values[3] > 0.0; },
     .cost = [](const Plan&, const ForceValues&) { return ForceCost{.evaluation = 5.0, .energy = 9.0, .of_faces = true}; },
-    .prepare = [](const System& system, Plan& plan) { plan.enclosures = plan_enclosures(system); },
+    .prepare = [](const System& system, Plan& plan) { plan.force_data.enclosures = plan_enclosures(system); },
 };
 
 }  // namespace hooke

@@ -5,17 +5,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "sim/forces/constants.h"
 #include "sim/forces/forces.h"
 
 namespace hooke {
 namespace {
-
-// [m], the distance within which a point counts as touching: contact places resting points on the surface to round-off
-constexpr double touch_tolerance = 1e-9;
-// [m/s], and of the velocities: the speed away from a plane at which a point is not at rest on it
-constexpr double rest_tolerance = 1e-9;
-// [m], [m/s]
-constexpr double round_off = 1e-13;
 
 double along(const Plan& plan, const Vec3& normal, const double* field, Index point) {
   double sum = 0.0;
@@ -40,9 +34,9 @@ double speed_of_plane(const Plan& plan, const StickyContact& contact, double tim
 bool is_at_rest_on(const Plan& plan, const StickyContact& contact, const Motion& motion) {
   const Vec3& normal = normal_of(plan, contact);
   const double distance = along(plan, normal, motion.x.data(), contact.point) - height_of(plan, contact, motion.time);
-  if (std::abs(distance - plan.radius[contact.point]) > touch_tolerance) return false;
+  if (std::abs(distance - plan.radius[contact.point]) > sticky_distance) return false;
   const double speed = speed_of_plane(plan, contact, motion.time), relative = along(plan, normal, motion.v.data(), contact.point) - speed;
-  return std::abs(relative) <= rest_tolerance * (1.0 + std::abs(speed));
+  return std::abs(relative) <= sticky_speed * (1.0 + std::abs(speed));
 }
 
 bool contains(const std::vector<StickyContact>& list, const StickyContact& contact) {
@@ -63,7 +57,7 @@ double pull_on(const Plan& plan, const StickyContact& contact, double time, cons
 }
 
 void keep_on_planes(const Plan& plan, double time, Motion& motion) {
-  for (const StickyContact& contact : plan.sticky.held) {
+  for (const StickyContact& contact : plan.force_data.sticky.held) {
     const Vec3& normal = normal_of(plan, contact);
     const double speed = speed_of_plane(plan, contact, time), relative = along(plan, normal, motion.v.data(), contact.point) - speed;
     const double distance =
@@ -74,58 +68,58 @@ void keep_on_planes(const Plan& plan, double time, Motion& motion) {
       motion.contact_work -= 0.5 * plan.mass[contact.point] * relative * relative;
       motion.collider_work -= plan.mass[contact.point] * relative * speed;
     }
-    if (std::max(distance, relative) > round_off) motion.acceleration_is_current = false;
+    if (std::max(distance, relative) > sticky_round_off) motion.acceleration_is_current = false;
   }
 }
 
 void Sticking::begin_frame(Plan& plan, const Motion& motion) {
-  plan.sticky.held.clear();
-  if (plan.sticky.strength == 0.0) return;
+  plan.force_data.sticky.held.clear();
+  if (plan.force_data.sticky.strength == 0.0) return;
   const auto is_plane = [](const Collider& collider) { return std::holds_alternative<Plane>(collider.shape); };
   const auto size = static_cast<std::size_t>(plan.points * std::ranges::count_if(plan.colliders, is_plane));
-  for (auto* list : {&plan.sticky.held, &none_, &previous_, &released_, &candidates_}) list->reserve(size), list->clear();
+  for (auto* list : {&plan.force_data.sticky.held, &none_, &previous_, &released_, &candidates_}) list->reserve(size), list->clear();
   for (auto* list : {&pull_, &start_pull_}) list->reserve(size), list->clear();
   for (Field* field : {&x_, &v_, &f_}) field->resize(motion.x.size());
 }
 
 void Sticking::begin_step(Plan& plan, Motion& motion) {
-  if (plan.sticky.strength == 0.0) return;
-  std::swap(previous_, plan.sticky.held);
-  plan.sticky.held.clear();
+  if (plan.force_data.sticky.strength == 0.0) return;
+  std::swap(previous_, plan.force_data.sticky.held);
+  plan.force_data.sticky.held.clear();
   for (std::size_t k = 0; k < plan.colliders.size(); ++k) {
     if (!std::holds_alternative<Plane>(plan.colliders[k].shape)) continue;
     for (Index i = 0; i < plan.points; ++i) {
       const StickyContact contact{i, static_cast<Index>(k)};
       if (plan.inverse_mass[i] != 0.0 && is_at_rest_on(plan, contact, motion) && !contains(released_, contact))
-        plan.sticky.held.push_back(contact);
+        plan.force_data.sticky.held.push_back(contact);
     }
   }
-  if (!plan.sticky.held.empty()) {
+  if (!plan.force_data.sticky.held.empty()) {
     excess(plan, motion.time, motion.x, motion.v, motion);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < pull_.size(); ++k) {
-      if (pull_[k] > plan.sticky.strength) continue;
-      plan.sticky.held[kept] = plan.sticky.held[k];
+      if (pull_[k] > plan.force_data.sticky.strength) continue;
+      plan.force_data.sticky.held[kept] = plan.force_data.sticky.held[k];
       pull_[kept++] = pull_[k];
     }
-    plan.sticky.held.resize(kept);
+    plan.force_data.sticky.held.resize(kept);
     pull_.resize(kept);
     start_pull_ = pull_;
   }
-  if (plan.sticky.held != previous_) motion.acceleration_is_current = false;
+  if (plan.force_data.sticky.held != previous_) motion.acceleration_is_current = false;
 }
 
 // [N], by which the pull on the held points exceeds the strength, the maximum over them. The force of the planes itself does not count.
 double Sticking::excess(Plan& plan, double time, const Field& x, const Field& v, Motion& motion) {
-  std::swap(plan.sticky.held, none_);
+  std::swap(plan.force_data.sticky.held, none_);
   compute_forces(plan, time, x, v, f_);
-  std::swap(plan.sticky.held, none_);
-  ++motion.force_evaluations;
+  std::swap(plan.force_data.sticky.held, none_);
+  ++motion.counts.force_evaluations;
   pull_.clear();
-  double max = -plan.sticky.strength;
-  for (const StickyContact& contact : plan.sticky.held) {
+  double max = -plan.force_data.sticky.strength;
+  for (const StickyContact& contact : plan.force_data.sticky.held) {
     pull_.push_back(pull_on(plan, contact, time, f_.data()));
-    max = std::max(max, pull_.back() - plan.sticky.strength);
+    max = std::max(max, pull_.back() - plan.force_data.sticky.strength);
   }
   return max;
 }
@@ -149,10 +143,10 @@ void Sticking::end_step(bool is_at_release) {
 
 // Of a step that is not repeated, by the trapezoidal rule.
 void Sticking::add_work(const Plan& plan, Motion& motion) const {
-  if (!plan.colliders_move) return;
+  if (!plan.collider_paths.any_moves) return;
   for (std::size_t k = 0; k < pull_.size(); ++k) {
-    const double start = std::max(0.0, start_pull_[k]) * speed_of_plane(plan, plan.sticky.held[k], start_);
-    const double end = std::max(0.0, pull_[k]) * speed_of_plane(plan, plan.sticky.held[k], start_ + h_);
+    const double start = std::max(0.0, start_pull_[k]) * speed_of_plane(plan, plan.force_data.sticky.held[k], start_);
+    const double end = std::max(0.0, pull_[k]) * speed_of_plane(plan, plan.force_data.sticky.held[k], start_ + h_);
     motion.collider_work -= 0.5 * h_ * (start + end);
   }
 }
@@ -164,7 +158,7 @@ double Sticking::time_beyond(Plan& plan, double& excess, double at_end, Motion& 
   if (at_end > 0.0) return excess = at_end, h_;
   // it may exceed it and fall again: the parabola through its values at both ends and in the middle
   const double h_omega = h_ * plan.spectrum.omega, at_start = excess;
-  const double margin = 0.25 * plan.sticky.strength * h_omega * std::max(1.0, h_omega) + 2.0 * std::abs(at_end - at_start);
+  const double margin = 0.25 * plan.force_data.sticky.strength * h_omega * std::max(1.0, h_omega) + 2.0 * std::abs(at_end - at_start);
   if (std::max(at_start, at_end) < -margin) return none;
   excess = excess_at(plan, 0.5 * h_, motion);
   if (excess > 0.0) return 0.5 * h_;
@@ -177,26 +171,23 @@ double Sticking::time_beyond(Plan& plan, double& excess, double at_end, Motion& 
 
 double Sticking::time_of_release(Plan& plan, const Field& x0, const Field& v0, double start, double h, Motion& motion) {
   constexpr double none = std::numeric_limits<double>::infinity();
-  if (plan.sticky.held.empty()) return none;
+  if (plan.force_data.sticky.held.empty()) return none;
   x0_ = &x0;
   v0_ = &v0;
   start_ = start;
   h_ = h;
-  const double strength = plan.sticky.strength, at_start = *std::ranges::max_element(start_pull_) - strength;
+  const double strength = plan.force_data.sticky.strength, at_start = *std::ranges::max_element(start_pull_) - strength;
   const double at_end = excess(plan, start + h, motion.x, motion.v, motion);
   add_work(plan, motion);
-  constexpr int max_releases = 16;
   if (!std::isfinite(at_end)) return none;
   double above = at_start, high = time_beyond(plan, above, at_end, motion);
   if (high == none || releases_ >= max_releases) return none;
   ++releases_;
 
   // regula falsi (Illinois)
-  constexpr int max_iterations = 60;
-  constexpr double resolution = 1e-10, negligible = 1e-6;  // of the step
   double low = 0.0, below = at_start;
   int side = 0;
-  for (int i = 0; i < max_iterations && high - low > resolution * h && above > 1e-12 * strength; ++i) {
+  for (int i = 0; i < max_release_iterations && high - low > release_resolution * h && above > 1e-12 * strength; ++i) {
     const double margin = 0.01 * (high - low), t = std::clamp(low - below * (high - low) / (above - below), low + margin, high - margin);
     const double value = excess_at(plan, t, motion);
     const int last = side;
@@ -214,8 +205,8 @@ double Sticking::time_of_release(Plan& plan, const Field& x0, const Field& v0, d
   excess_at(plan, high, motion);
   candidates_.clear();
   for (std::size_t k = 0; k < pull_.size(); ++k)
-    if (pull_[k] >= (1.0 - 1e-9) * strength) candidates_.push_back(plan.sticky.held[k]);
-  return high > (1.0 - negligible) * h ? h : high > negligible * h ? high : 0.0;
+    if (pull_[k] >= (1.0 - 1e-9) * strength) candidates_.push_back(plan.force_data.sticky.held[k]);
+  return high > (1.0 - negligible_part) * h ? h : high > negligible_part * h ? high : 0.0;
 }
 
 }  // namespace hooke

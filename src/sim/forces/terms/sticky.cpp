@@ -14,7 +14,7 @@ constexpr ForceParameter numbers[] = {{"strength", "Stickiness", "N", 0.0, 1000.
 // What presses is left to contact, for its friction.
 void add(const Plan& plan, const ForceValues&, double time, const double*, const double*, double* f) {
   const auto n = static_cast<std::size_t>(plan.points);
-  for (const StickyContact& contact : plan.sticky.held) {
+  for (const StickyContact& contact : plan.force_data.sticky.held) {
     const double pull = pull_on(plan, contact, time, f);
     if (!(pull > 0.0)) continue;
     const Vec3& normal = normal_of(plan, contact);
@@ -28,7 +28,8 @@ ForceBound bound(const System&, const Plan&, const ForceValues&, double) { retur
 
 void prepare(const System& system, Plan& plan) {
   for (const Force& force : system.forces)
-    if (force.on && force.term == &sticky_force) plan.sticky.strength = std::max(plan.sticky.strength, force.values[0]);
+    if (force.on && force.term == &sticky_force)
+      plan.force_data.sticky.strength = std::max(plan.force_data.sticky.strength, force.values[0]);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "sim/forces/constants.h"
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/forces/terms/wind_kernel.h"
@@ -42,11 +43,6 @@ double smooth_noise(double t, double seed) {
   const auto place = static_cast<std::int64_t>(whole);
   const double blend = part * part * (3.0 - 2.0 * part);
   return (1.0 - blend) * random_at(place, seed) + blend * random_at(place + 1, seed);
-}
-
-Vec3 vector_at(const Plan& plan, const double* field, std::size_t i) {
-  const std::size_t n = plan.points;
-  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
 }
 
 void add_to(const Plan& plan, double* f, std::size_t i, const Vec3& force) {
@@ -106,15 +102,15 @@ template <class UseRow, class UseFace, class UsePoint>
 void for_each_force(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, const UseRow& use_row,
                     const UseFace& use_face, const UsePoint& use_point) {
   const Wind wind{wind_at(plan, values, time), values[3], values[4]};
-  const auto faces = static_cast<Index>(plan.faces.size());
+  const auto faces = static_cast<Index>(plan.force_data.faces.size());
   const auto use_faces = [&](Index first, Index end) {
     for (Index f = first; f < end; ++f) {
-      const std::array<Index, 3>& face = plan.faces[static_cast<std::size_t>(f)];
+      const std::array<Index, 3>& face = plan.force_data.faces[static_cast<std::size_t>(f)];
       use_face(face, force_on_corner(plan, face, wind, x, v));
     }
   };
   Index next = 0;
-  for (const FaceRow& row : plan.face_rows) {
+  for (const FaceRow& row : plan.force_data.face_rows) {
     use_faces(next, row.first);
     use_row(wind, row);
     next = row.first + 2 * row.cells;
@@ -141,9 +137,9 @@ void add(const Plan& plan, const ForceValues& values, double time, const double*
 double power_on_held(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v) {
   const Wind wind{wind_at(plan, values, time), values[3], values[4]};
   Vec3 sum{0.0};
-  for (const std::array<Index, 3>& face : plan.faces)
-    if (std::ranges::find(face, *plan.held) != face.end()) sum += force_on_corner(plan, face, wind, x, v);
-  return glm::dot(sum, vector_at(plan, v, *plan.held));
+  for (const std::array<Index, 3>& face : plan.force_data.faces)
+    if (std::ranges::find(face, *plan.hand.held) != face.end()) sum += force_on_corner(plan, face, wind, x, v);
+  return glm::dot(sum, vector_at(plan, v, *plan.hand.held));
 }
 
 // Nailed points do not move. Adds the forces to f, too, unless it is null.
@@ -159,10 +155,10 @@ double add_with_power(const Plan& plan, const ForceValues& values, double time, 
         }
       },
       [&](Index i, const Vec3& force) {
-        if (plan.held != i) sum += glm::dot(force, vector_at(plan, v, i));
+        if (plan.hand.held != i) sum += glm::dot(force, vector_at(plan, v, i));
         if (f != nullptr) add_to(plan, f, i, force);
       });
-  return sum + of_cells.sum() - (plan.held ? power_on_held(plan, values, time, x, v) : 0.0);
+  return sum + of_cells.sum() - (plan.hand.held ? power_on_held(plan, values, time, x, v) : 0.0);
 }
 
 double power(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v) {
@@ -176,7 +172,6 @@ struct FaceEstimate {
   double stiffness = 0.0, rate = 0.0;
 };
 FaceEstimate estimate_faces(const System& system, double coefficient, double speed) {
-  constexpr double perimeter = 3.4;  // [1], of an isosceles right triangle, relative to its short sides
   std::vector<double> length(system.points().size(), std::numeric_limits<double>::infinity());
   for (const Spring& spring : system.springs())
     for (const PointId end : {spring.first, spring.second})
@@ -190,7 +185,7 @@ FaceEstimate estimate_faces(const System& system, double coefficient, double spe
     for (const PointId corner : face.points) {
       const Index i = system.index_of(corner);
       if (system.points()[i].nailed) continue;
-      row[i].stiffness += coefficient * speed * speed * perimeter * edge / (6.0 * system.points()[i].mass);
+      row[i].stiffness += coefficient * speed * speed * perimeter_of_face * edge / (6.0 * system.points()[i].mass);
       row[i].rate += coefficient * speed * edge * edge / (3.0 * system.points()[i].mass);
     }
   }
@@ -222,13 +217,13 @@ ForceBound bound(const System& system, const Plan&, const ForceValues& values, d
 // 3 of the whole, so that iterations converge for any step.
 void add_tangent(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, ForceTangent& tangent) {
   const Vec3 wind = wind_at(plan, values, time);
-  for (const auto& each : plan.faces)
+  for (const auto& each : plan.force_data.faces)
     use_face(plan, each, wind, x, v, [&](const auto& corners, const Flow& flow) {
       const double axial = 2.0 * values[3] * flow.area * std::abs(flow.across),
                    transverse = 2.0 * values[4] * flow.area * glm::length(flow.along);
       for (const Index corner : corners) tangent.add_damping(corner, flow.normal, axial / 6.0, transverse / 6.0);
     });
-  if (!plan.faces.empty()) return;
+  if (!plan.force_data.faces.empty()) return;
 
   for (Index i = 0; i < plan.points; ++i) {
     const Vec3 past = wind - vector_at(plan, v, i);
@@ -238,7 +233,7 @@ void add_tangent(const Plan& plan, const ForceValues& values, double time, const
 }
 
 ForceCost cost(const Plan& plan, const ForceValues&) {
-  if (plan.faces.empty()) return {.evaluation = 1.5, .energy = 11.0};
+  if (plan.force_data.faces.empty()) return {.evaluation = 1.5, .energy = 11.0};
   return {.evaluation = 5.0, .energy = 14.0, .of_faces = true};
 }
 
@@ -259,7 +254,7 @@ constinit const ForceTerm wind_force{
     .power = power,
     .add_with_power = add_with_power,
     .cost = cost,
-    .prepare = [](const System&, Plan& plan) { plan.face_rows = find_face_rows(plan.faces); },
+    .prepare = [](const System&, Plan& plan) { plan.force_data.face_rows = find_face_rows(plan.force_data.faces); },
 };
 
 }  // namespace hooke

@@ -174,6 +174,8 @@ Index count_same_cells(const Index* corners, Index max) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "sim/forces/constants.h"
+
 namespace hooke {
 
 HWY_EXPORT(compute_on_cells);
@@ -183,17 +185,16 @@ namespace {
 
 // From the face `first` on; 0: another face, or too few cells.
 Index count_cells(const std::vector<std::array<Index, 3>>& faces, Index first) {
-  constexpr Index min_cells = 4, max_cells = max_cells_at_once;
   const auto end = static_cast<Index>(faces.size());
-  if (first + 2 * min_cells > end) return 0;
+  if (first + 2 * min_face_cells > end) return 0;
   const std::array<Index, 3>* face = faces.data() + first;
   const Index i = face[0][0], j = face[0][1];
   // the points of both rows are different ones
-  const Index max = std::min({max_cells, (end - first) / 2, std::max(i, j) - std::min(i, j) - 1});
+  const Index max = std::min({max_cells_at_once, (end - first) / 2, std::max(i, j) - std::min(i, j) - 1});
   const bool fits = face[0][2] == i + 1 && face[1][0] == i + 1 && face[1][1] == j && face[1][2] == j + 1;
-  if (!fits || max < min_cells) return 0;
+  if (!fits || max < min_face_cells) return 0;
   const Index cells = HWY_DYNAMIC_DISPATCH(count_same_cells)(face->data(), max);
-  return cells < min_cells ? 0 : cells;
+  return cells < min_face_cells ? 0 : cells;
 }
 
 }  // namespace
@@ -210,7 +211,7 @@ std::vector<FaceRow> find_face_rows(const std::vector<std::array<Index, 3>>& fac
 
 void compute_wind_on_cells(const Plan& plan, const Wind& wind, const FaceRow& row, const double* x, const double* v, double* f,
                            CellPowers* power) {
-  const std::array<Index, 3>& face = plan.faces[static_cast<std::size_t>(row.first)];
+  const std::array<Index, 3>& face = plan.force_data.faces[static_cast<std::size_t>(row.first)];
   HWY_DYNAMIC_DISPATCH(compute_on_cells)
   (plan, wind, face[0], face[1], row.cells, x, v, f, power != nullptr ? power->of_cell.data() : nullptr);
 }

@@ -43,7 +43,7 @@ void step_dirk(const DirkTable& table, const Plan& plan, Motion& motion, Workspa
       if (!motion.acceleration_is_current) {
         compute_forces(plan, motion.time, motion.x, motion.v, motion.a);
         divide_by_mass(plan, motion.a);
-        ++motion.force_evaluations;
+        ++motion.counts.force_evaluations;
       }
       copy(motion.v, V);
       copy(motion.a, a);

@@ -17,16 +17,10 @@
 
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
+#include "sim/methods/constants.h"
 
 namespace hooke {
 namespace {
-
-// Contraction above which a new factorization is cheaper than more iterations.
-constexpr double max_contraction = 0.25;
-// b omega above which exact curvature is not tried far from the solution.
-constexpr double max_exact_stiffness = 10.0;
-// Iterations that update the listed forces, if some are not continuous.
-constexpr int max_force_updates = 10;
 
 // x + b V
 void set_positions(const Stage& stage, const Field& V, Field& x) {
@@ -60,7 +54,7 @@ void NewtonSolver::begin_frame(const Plan& plan, const Motion& motion) {
   for (Field* field : {&x_, &f_, &term_force_, &residual_, &step_, &trial_x_, &trial_v_}) field->resize(motion.x.size());
 
   max_coordinate_ = 0.0;
-  for (const double length : plan.rest_length) max_coordinate_ = std::max(max_coordinate_, length);
+  for (const double length : plan.spring.rest_length) max_coordinate_ = std::max(max_coordinate_, length);
   for (const double x : motion.x) max_coordinate_ = std::max(max_coordinate_, std::abs(x));
 }
 
@@ -86,7 +80,7 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
     for (std::size_t at = 0; at < x.size(); ++at) add(-term_force_[at] * (x[at] - x_[at]));
 
   // springs; dashpots along the directions at x_
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const std::size_t i = run.first + e, j = run.second + e;
       const Index s = run.begin + e;
@@ -99,16 +93,16 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
         direction_squared += direction * direction;
         along += direction * (V[c * n + i] - V[c * n + j]);
       }
-      const double stretch = std::sqrt(length_squared) - plan.rest_length[s];
-      add(0.5 * plan.stiffness[s] * stretch * stretch);
-      if (plan.has_dashpots() && direction_squared > 0.0) add(0.5 * stage.b * plan.damping[s] * along * along / direction_squared);
+      const double stretch = std::sqrt(length_squared) - plan.spring.rest_length[s];
+      add(0.5 * plan.spring.stiffness[s] * stretch * stretch);
+      if (plan.has_dashpots() && direction_squared > 0.0) add(0.5 * stage.b * plan.spring.damping[s] * along * along / direction_squared);
     }
 
-  if (plan.pull) {
-    const Vec3 target = plan.pull->target_at(stage.time);
+  if (plan.hand.pull) {
+    const Vec3 target = plan.hand.pull->target_at(stage.time);
     for (int c = 0; c < plan.dimensions; ++c) {
-      const double stretch = plan.pull->interpolate(&x[c * n]) - target[c];
-      add(0.5 * plan.pull->stiffness * stretch * stretch);
+      const double stretch = plan.hand.pull->interpolate(&x[c * n]) - target[c];
+      add(0.5 * plan.hand.pull->stiffness * stretch * stretch);
     }
   }
   return sum;
@@ -117,8 +111,8 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
 // x_ = x + b V and residual_ = grad Phi there, with listed forces at their own velocities or unchanged.
 void NewtonSolver::evaluate(const Plan& plan, const Stage& stage, const Field& V, const Field* term_velocity, Motion& motion) {
   set_positions(stage, V, x_);
-  compute_network_forces(plan, stage.time, x_, V, f_);
-  ++motion.force_evaluations;
+  compute_unlisted_forces(plan, stage.time, x_, plan.has_dashpots() ? &V : nullptr, f_);
+  ++motion.counts.force_evaluations;
 
   if (!plan.forces.empty()) {
     if (term_velocity != nullptr) {
@@ -141,10 +135,10 @@ void NewtonSolver::factorize(const Plan& plan, const Stage& stage, Curvature cur
                              Motion& motion) {
   matrix_->linearize_forces(plan, stage.time, x_, term_velocity);
   matrix_->assemble(plan, stage.b, x_, V, curvature);
-  ++motion.factorizations;
+  ++motion.counts.factorizations;
   if (!matrix_->factorize() && curvature == Curvature::Exact) {
     matrix_->assemble(plan, stage.b, x_, V, Curvature::Clamped);
-    ++motion.factorizations;
+    ++motion.counts.factorizations;
     matrix_->factorize();
   }
   factored_b_ = stage.b;
@@ -154,20 +148,19 @@ void NewtonSolver::factorize(const Plan& plan, const Stage& stage, Curvature cur
 void NewtonSolver::compute_step(Motion& motion) {
   set_scaled(step_.data(), -1.0, residual_.data(), step_.size());
   matrix_->solve(step_);
-  ++motion.solves;
+  ++motion.counts.solves;
 }
 
 // Halves the step until Phi decreases as required by Armijo's rule; a decrease below the rounding error of Phi is accepted. The
 // result is in trial_v_. Returns the fraction of the step, 0 if none leads downhill.
 double NewtonSolver::line_search(const Plan& plan, const Stage& stage, const Field& V, const Potential& current, Potential& trial) {
-  constexpr double armijo = 1e-4, rounding = 1e-14, min = 1e-9;
   const double slope = dot(residual_, step_);
-  for (double step_fraction = 1.0; step_fraction > min; step_fraction *= 0.5) {
+  for (double step_fraction = 1.0; step_fraction > min_newton_step; step_fraction *= 0.5) {
     std::copy(V.begin(), V.end(), trial_v_.begin());
     add_scaled(trial_v_.data(), step_fraction, step_.data(), V.size());
     set_positions(stage, trial_v_, trial_x_);
     trial = potential(plan, stage, trial_x_, trial_v_);
-    if (trial.value <= current.value + armijo * step_fraction * slope || -step_fraction * slope <= rounding * current.magnitude)
+    if (trial.value <= current.value + armijo * step_fraction * slope || -step_fraction * slope <= potential_round_off * current.magnitude)
       return step_fraction;
   }
   return 0.0;
@@ -187,9 +180,8 @@ void NewtonSolver::restart_from_rest_if_lower(const Plan& plan, const Stage& sta
 // [m/s]: rounding of positions changes a spring force by k epsilon x, and V by at most b k / m of that, or by 1 / b where stiffness
 // dominates.
 double NewtonSolver::round_off(const Plan& plan, const Stage& stage, const Field& V) const {
-  constexpr double epsilon = 2e-16;
   const double stiffness = stage.b * plan.spectrum.omega * (stage.b * plan.spectrum.omega);
-  return epsilon * (root_mean_square(plan, V) + max_coordinate_ / stage.b * stiffness / (1.0 + stiffness));
+  return position_round_off * (root_mean_square(plan, V) + max_coordinate_ / stage.b * stiffness / (1.0 + stiffness));
 }
 
 // RMS of V - v [m/s].
@@ -200,7 +192,7 @@ double NewtonSolver::velocity_change(const Plan& plan, const Stage& stage, const
 
 void NewtonSolver::solve(const Plan& plan, const Stage& stage, const NewtonLimits& limits, Field& V, Motion& motion) {
   if (free_points_ == 0) return;
-  const long max_factorizations = motion.factorizations + limits.factorizations;
+  const long max_factorizations = motion.counts.factorizations + limits.factorizations;
   Curvature curvature = stage.b * plan.spectrum.omega > max_exact_stiffness ? Curvature::Clamped : Curvature::Exact;
   bool matrix_is_stale = factored_b_ != stage.b;
   double previous_size = 0.0;  // of the last step, if it was taken whole
@@ -209,7 +201,7 @@ void NewtonSolver::solve(const Plan& plan, const Stage& stage, const NewtonLimit
   evaluate(plan, stage, V, &V, motion);
   Potential current = potential(plan, stage, x_, V), trial;
   for (int iteration = 0; iteration < limits.iterations; ++iteration) {
-    if (matrix_is_stale && motion.factorizations < max_factorizations) factorize(plan, stage, curvature, V, V, motion);
+    if (matrix_is_stale && motion.counts.factorizations < max_factorizations) factorize(plan, stage, curvature, V, V, motion);
     compute_step(motion);
 
     // remaining error after this step, from the contraction of the steps; where they no longer contract, it is round-off
@@ -234,7 +226,7 @@ void NewtonSolver::solve(const Plan& plan, const Stage& stage, const NewtonLimit
     evaluate(plan, stage, V, !can_freeze || iteration < max_force_updates ? &V : nullptr, motion);
     current = plan.has_dashpots() || !plan.forces.empty() ? potential(plan, stage, x_, V) : trial;
   }
-  ++motion.unconverged_solves;
+  ++motion.counts.unconverged_solves;
 }
 
 void NewtonSolver::solve_once(const Plan& plan, const Stage& stage, Field& V, Motion& motion) {

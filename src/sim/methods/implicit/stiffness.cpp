@@ -11,14 +11,14 @@ namespace {
 
 template <class Use>
 void for_each_spring(const Plan& plan, const Use& use) {
-  for (const SpringRun& run : plan.runs)
+  for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) use(run.first + e, run.second + e, run.begin + e);
 }
 
 // On and above the diagonal: use(row, column, entry).
 template <class Use>
 void for_each_hinge_entry(const Plan& plan, const Use& use) {
-  const HingePlan& hinges = plan.hinges;
+  const HingePlan& hinges = plan.force_data.hinges;
   for (Index i = 0; !hinges.empty() && i < plan.points; ++i)
     for (Index k = hinges.begin[i]; k < hinges.begin[i + 1]; ++k)
       if (hinges.column[k] >= i) use(i, hinges.column[k], k);
@@ -31,7 +31,7 @@ std::vector<std::pair<Index, Index>> couplings_of(const Plan& plan) {
   for_each_hinge_entry(plan, [&](Index i, Index j, Index) {
     if (i != j) pairs.emplace_back(i, j);
   });
-  for (const auto& [i, j] : plan.enclosures.edges) pairs.emplace_back(i, j);
+  for (const auto& [i, j] : plan.force_data.enclosures.edges) pairs.emplace_back(i, j);
   return pairs;
 }
 
@@ -48,7 +48,7 @@ template <int Dimensions>
 SpringContribution<Dimensions> spring_contribution(const Plan& plan, double b, Index i, Index j, Index s, const double* x, const double* v,
                                                    Curvature curvature) {
   const std::size_t n = plan.points;
-  const double k = plan.stiffness[s], d = plan.has_dashpots() ? plan.damping[s] : 0.0;
+  const double k = plan.spring.stiffness[s], d = plan.has_dashpots() ? plan.spring.damping[s] : 0.0;
   SpringContribution<Dimensions> contribution;
   double length_squared = 0.0, approach = 0.0;
   for (int c = 0; c < Dimensions; ++c) {
@@ -64,7 +64,7 @@ SpringContribution<Dimensions> spring_contribution(const Plan& plan, double b, I
 
   const double length = std::sqrt(length_squared);
   for (double& component : contribution.u) component /= length;
-  const double tension = k * (length - plan.rest_length[s]) + d * approach / length;
+  const double tension = k * (length - plan.spring.rest_length[s]) + d * approach / length;
   contribution.isotropic = b * b * tension / length;
   if (curvature == Curvature::Clamped) contribution.isotropic = std::max(0.0, contribution.isotropic);
   contribution.uniaxial = b * (b * k + d) - contribution.isotropic;
@@ -78,15 +78,15 @@ StiffnessMatrix::StiffnessMatrix(const Plan& plan)
   for (Index i = 0; i < plan.points; ++i) diagonal_.push_back(solver_.diagonal(i));
   coupling_.resize(plan.springs);
   for_each_spring(plan, [&](Index i, Index j, Index s) { coupling_[s] = solver_.coupling(i, j); });
-  hinges_.resize(plan.hinges.column.size());
+  hinges_.resize(plan.force_data.hinges.column.size());
   for_each_hinge_entry(plan, [&](Index i, Index j, Index k) { hinges_[k] = i == j ? diagonal_[i] : solver_.coupling(i, j); });
-  for (const auto& [i, j] : plan.enclosures.edges) enclosure_edges_.push_back(solver_.coupling(i, j));
+  for (const auto& [i, j] : plan.force_data.enclosures.edges) enclosure_edges_.push_back(solver_.coupling(i, j));
 }
 
 void StiffnessMatrix::add_hinges(const Plan& plan, double b, Curvature curvature) {
   for_each_hinge_entry(plan, [&](Index i, Index j, Index k) {
     if (plan.inverse_mass[i] == 0.0 || plan.inverse_mass[j] == 0.0) return;
-    const double stiffness = b * b * tangent_.hinge_stiffness() * plan.hinges.value[k];
+    const double stiffness = b * b * tangent_.hinge_stiffness() * plan.force_data.hinges.value[k];
     const bool is_transposed = i != j && !solver_.precedes(i, j);
     for (int c = 0; c < plan.dimensions; ++c) hinges_[k].column(c)[c] += stiffness;
     if (!tangent_.have_hinges_blocks()) return;
@@ -98,7 +98,7 @@ void StiffnessMatrix::add_hinges(const Plan& plan, double b, Curvature curvature
 
 void StiffnessMatrix::add_volume_curvature(const Plan& plan, double b) {
   for (std::size_t e = 0; e < enclosure_edges_.size(); ++e) {
-    const auto& [i, j] = plan.enclosures.edges[e];
+    const auto& [i, j] = plan.force_data.enclosures.edges[e];
     if (plan.inverse_mass[i] == 0.0 || plan.inverse_mass[j] == 0.0) continue;
     // the transpose of w x is -w x
     const Vec3 w = (solver_.precedes(i, j) ? 1.0 : -1.0) * b * b * tangent_.volume_curvature(e);
@@ -128,7 +128,7 @@ void StiffnessMatrix::add_springs(const Plan& plan, double b, const double* x, c
 }
 
 void StiffnessMatrix::allocate(const Plan& plan) {
-  has_pull_update_ = plan.pull && plan.pull->count > 1;
+  has_pull_update_ = plan.hand.pull && plan.hand.pull->count > 1;
   has_forces_ = !plan.forces.empty();
   is_linearized_ = false;
   updates_.resize((has_pull_update_ ? 1 : 0) + (has_forces_ ? 1 : 0));
@@ -137,7 +137,7 @@ void StiffnessMatrix::allocate(const Plan& plan) {
     for (int c = 0; c < plan.dimensions; ++c) update.response[c].resize(static_cast<std::size_t>(plan.points) * plan.dimensions);
   }
   const std::size_t size = static_cast<std::size_t>(plan.points) * plan.dimensions;
-  volume_updates_.resize(plan.enclosures.enclosures.size());
+  volume_updates_.resize(plan.force_data.enclosures.enclosures.size());
   for (VolumeUpdate& update : volume_updates_) {
     update.weight = 0.0;
     update.gradient.resize(size);
@@ -183,8 +183,8 @@ void StiffnessMatrix::add_force_damping(const Plan& plan, double scale, const Fi
 void StiffnessMatrix::assemble(const Plan& plan, double b, const Field& x, const Field& v, Curvature curvature) {
   solver_.set_zero();
   for (Index i = 0; i < plan.points; ++i) {
-    const bool pulled = plan.pull && plan.pull->count == 1 && plan.pull->parts[0].point == i && plan.inverse_mass[i] != 0.0;
-    const double diagonal = plan.mass[i] * (1.0 + b * plan.drag) + (pulled ? b * b * plan.pull->stiffness : 0.0);
+    const bool pulled = plan.hand.pull && plan.hand.pull->count == 1 && plan.hand.pull->parts[0].point == i && plan.inverse_mass[i] != 0.0;
+    const double diagonal = plan.mass[i] * (1.0 + b * plan.drag) + (pulled ? b * b * plan.hand.pull->stiffness : 0.0);
     for (int c = 0; c < plan.dimensions; ++c) diagonal_[i].column(c)[c] += diagonal;
     if (!is_linearized_ || plan.inverse_mass[i] == 0.0) continue;
     const glm::dmat3 block = tangent_.block(i, b);
@@ -206,9 +206,10 @@ void StiffnessMatrix::assemble(const Plan& plan, double b, const Field& x, const
   }
   if (has_pull_update_) {
     Update& update = updates_.front();
-    update.weight = b * b * plan.pull->stiffness;
+    update.weight = b * b * plan.hand.pull->stiffness;
     update.parts.clear();
-    for (const auto& [point, weight] : plan.pull->points()) update.parts.push_back({point, plan.inverse_mass[point] == 0.0 ? 0.0 : weight});
+    for (const auto& [point, weight] : plan.hand.pull->points())
+      update.parts.push_back({point, plan.inverse_mass[point] == 0.0 ? 0.0 : weight});
   }
   if (has_forces_) {
     Update& update = updates_.back();

@@ -9,12 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "sim/methods/constants.h"
 #include "sim/methods/implicit/cholesky_kernel.h"
 #include "sim/methods/implicit/elimination.h"
 
 namespace hooke {
-
-inline constexpr std::int64_t max_factor_entries = 300'000'000;  // 2.4 GB
 
 // The factor would have more than max_factor_entries.
 struct MatrixTooLarge : std::exception {};

@@ -7,13 +7,11 @@
 #include <tuple>
 #include <utility>
 
+#include "sim/plan/constants.h"
 #include "sim/plan/grid.h"
 
 namespace hooke {
 namespace {
-
-// More springs than a point of a net has: they join something else.
-constexpr Index max_degree = 8;
 
 struct Place {
   Index row = 0, column = 0;
@@ -80,7 +78,7 @@ SpringGraph without_diagonals(const SpringGraph& graph, const std::vector<Cells>
   for (Index i = 0; i < graph.points(); ++i)
     for (const Index j : graph.neighbors(i)) {
       if (j < i) continue;
-      const bool is_dense = graph.degree(i) > max_degree || graph.degree(j) > max_degree;
+      const bool is_dense = graph.degree(i) > max_net_degree || graph.degree(j) > max_net_degree;
       if (cells[i] != Cells::BothDiagonals || is_dense || is_thread(graph, i, j)) edges.push_back({i, j});
     }
   return {graph.points(), edges};
@@ -94,7 +92,7 @@ class LatticeFinder {
   std::vector<LatticePoints> find() {
     std::vector<LatticePoints> lattices;
     for (Index i = 0; i < graph_.points(); ++i) {
-      if (is_placed_[i] || graph_.degree(i) > max_degree || !begin_at(i)) continue;
+      if (is_placed_[i] || graph_.degree(i) > max_net_degree || !begin_at(i)) continue;
       for (std::size_t next = 0; next < fronts_.size(); ++next) {
         const Front front = fronts_[next];
         cells_[front.first] == Cells::OneDiagonal ? add_triangle(front) : add_cell(front);
@@ -116,7 +114,7 @@ class LatticeFinder {
     is_placed_[i] = 1;
     part_.push_back(i);
   }
-  bool fits(Index i, Place place) const { return is_placed_[i] ? place_[i] == place : graph_.degree(i) <= max_degree; }
+  bool fits(Index i, Place place) const { return is_placed_[i] ? place_[i] == place : graph_.degree(i) <= max_net_degree; }
   void add_fronts_of_cell(Index a, Index b, Index c, Index d) {
     fronts_.push_back({a, c, b, d});
     fronts_.push_back({b, d, a, c});
@@ -127,7 +125,7 @@ class LatticeFinder {
   bool begin_at(Index i) {
     part_.clear();
     fronts_.clear();
-    const auto is_free = [&](Index j) { return !is_placed_[j] && graph_.degree(j) <= max_degree; };
+    const auto is_free = [&](Index j) { return !is_placed_[j] && graph_.degree(j) <= max_net_degree; };
     for (const Index j : graph_.neighbors(i)) {
       if (!is_free(j)) continue;
       for (const Index k : graph_.neighbors(i)) {
@@ -157,7 +155,7 @@ class LatticeFinder {
 
   // The neighbors of a point that may be at this place across the front.
   struct Candidates {
-    std::array<Index, max_degree> points;
+    std::array<Index, max_net_degree> points;
     int count = 0;
     bool has_placed = false;
   };

@@ -14,6 +14,4 @@ using LatticePoints = std::vector<Index>;
 // points.
 std::vector<LatticePoints> find_lattices(const SpringGraph& graph);
 
-inline constexpr Index min_lattice_points = 64;
-
 }  // namespace hooke

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "sim/plan/constants.h"
 #include "sim/plan/numbering/cuthill_mckee.h"
 #include "sim/plan/numbering/lattices.h"
 
@@ -59,21 +60,18 @@ OrderQuality measure_order(Index points, std::span<const EdgeEnds> ends, std::sp
 }
 
 std::vector<Index> choose_point_order(const System& system, std::span<const EdgeEnds> ends) {
-  constexpr double enough = 0.5;  // of the springs
   const Index points = system.point_count();
   const OrderQuality listed = measure_order(points, ends, {});
-  if (listed.regular >= enough) return {};
+  if (listed.regular >= regular_enough) return {};
   FoundOrder found = find_order(system, ends);
   std::vector<Index> number(found.points.size());
   for (Index i = 0; i < points; ++i) number[found.points[i]] = i;
   const OrderQuality quality = measure_order(points, ends, number);
 
-  constexpr double min_in_lattices = 0.25, min_gain = 0.2, nearly_all = 0.9;
-  const bool has_nets = found.in_lattices >= min_in_lattices && quality.regular >= listed.regular + min_gain;
-  const bool has_ropes = quality.regular >= nearly_all;
+  const bool has_nets = found.in_lattices >= min_in_lattices && quality.regular >= listed.regular + min_regular_gain;
+  const bool has_ropes = quality.regular >= regular_as_ropes;
   // in smaller scenes all points are in a fast cache, in any order
-  constexpr double far = 2500.0, nearer = 0.25;
-  const bool is_local = listed.distance > far && quality.distance < nearer * listed.distance;
+  const bool is_local = listed.distance > far_apart && quality.distance < min_approach * listed.distance;
   if (has_nets || has_ropes || is_local) return std::move(found.points);
   return {};
 }

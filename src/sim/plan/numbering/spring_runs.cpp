@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/plan/constants.h"
+
 namespace hooke {
 namespace {
-
-constexpr Index max_run_length = 512;
 
 struct Ends {
   Index first, second, spring;
