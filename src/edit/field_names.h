@@ -22,8 +22,8 @@ template <> inline constexpr std::array<std::string_view, 5> field_names<Point> 
 template <> inline constexpr std::array<std::string_view, 8> field_names<Spring> =
     {"id", "first", "second", "family", "stiffness", "damping", "rest_length", "break_strain"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Face> = {"points", "rest_angle"};
-template <> inline constexpr std::array<std::string_view, 6> field_names<PairContact> =
-    {"points", "springs", "faces", "thickness", "restitution", "friction"};
+template <> inline constexpr std::array<std::string_view, 8> field_names<PairContact> =
+    {"points", "springs", "faces", "thickness", "restitution", "friction", "frequency", "damping_ratio"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Color> = {"red", "green", "blue"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Plane> = {"point", "normal"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Sphere> = {"center", "radius"};

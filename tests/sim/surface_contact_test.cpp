@@ -160,67 +160,6 @@ TEST(SurfaceContact, ObeysCoulombFriction) {
   }
 }
 
-// Each corner of a triangle that lies on another carries a weight by a spring with a dashpot, which is not part of the surface. At rest,
-// the velocities at the end of a substep are those of the path: if dashpots did not transmit the impulses of contact, the weights would
-// keep half of 2 g h times h d / (2 m), 7e-4 m/s, though they do not move.
-TEST(SurfaceContact, KeepsNoVelocityInWhatRestsOnIt) {
-  TestSim sim = triangle_on_triangle({0.0, 0.01, 0.0}, Vec3(0.0), 0.5);
-  const double mass = 0.1, damping = 20.0, h = frame / 20;
-  std::array<PointId, 3> weights{};
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 place = sim.state.position[3 + i] + Vec3(0.0, 0.1, 0.0);
-    weights[i] = sim.add(place, mass);
-    sim.join(weights[i], sim.system.points()[3 + i].id, 1e3, 0.1, damping);
-    // it does not fall sideways
-    for (const Vec3& side : {Vec3(1.0, 0.0, 0.0), Vec3(-1.0, 0.0, 0.0), Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)})
-      sim.join(weights[i], sim.nail(place + side), 100.0, 1.0);
-  }
-  for (int i = 0; i < 120; ++i) sim.run(verlet(), frame, 20);
-  for (const PointId id : weights) {
-    EXPECT_NEAR(sim.position(id).y, 0.11 - mass * 9.81 / 1e3, 1e-5);
-    EXPECT_LT(std::abs(sim.velocity(id).y), 0.05 * 2.0 * 9.81 * h * h * damping / (2.0 * mass));
-  }
-}
-
-// Two faces whose normals differ by this angle [degrees] move towards two others that are fixed, with their common edges, across each
-// other, in front: nothing else comes near. Returns the smallest distance of these edges [m].
-double closest_ridges(double angle, double thickness) {
-  const double slope = std::tan(0.5 * angle * std::numbers::pi / 180.0);
-  TestSim sim;
-  const auto add_faces = [&](const std::array<PointId, 4>& ids) {
-    sim.system.faces.push_back({{ids[0], ids[1], ids[2]}});
-    sim.system.faces.push_back({{ids[1], ids[0], ids[3]}});
-  };
-  add_faces({sim.nail({0.0, 0.0, -1.0}), sim.nail({0.0, 0.0, 1.0}), sim.nail({1.0, -slope, 0.0}), sim.nail({-1.0, -slope, 0.0})});
-  const double start = 2.0 * thickness;
-  const std::array<Vec3, 4> places{Vec3(-1.0, start, 0.0), Vec3(1.0, start, 0.0), Vec3(0.0, start + slope, 1.0),
-                                   Vec3(0.0, start + slope, -1.0)};
-  std::array<PointId, 4> ids{};
-  for (int i = 0; i < 4; ++i) ids[i] = sim.add(places[i], i < 2 ? 1.0 : 1e-3, {0.0, -0.5, 0.0});
-  for (const auto& [i, j] : {std::pair(0, 1), {0, 2}, {1, 2}, {0, 3}, {1, 3}})
-    sim.join(ids[i], ids[j], 10.0, glm::distance(places[i], places[j]));
-  add_faces(ids);
-  sim.system.gravity = Vec3(0.0);
-  sim.system.contact = {.faces = true, .thickness = thickness};
-  double closest = start;
-  for (int i = 0; i < 300; ++i) {
-    sim.run(verlet(), 1e-3, 4);
-    closest = std::min(closest, 0.5 * (sim.state.position[4].y + sim.state.position[5].y));
-  }
-  return closest;
-}
-
-// Where a surface is flat, its points keep it apart from others: edges touch at a quarter of the thickness up to 10 degrees, at all of it
-// from 25 degrees on.
-TEST(SurfaceContact, ThinsTheEdgesOfFlatPlaces) {
-  constexpr double thickness = 0.05;
-  for (const auto& [angle, part] : {std::pair(5.0, 0.25), {9.0, 0.25}, {26.0, 1.0}, {40.0, 1.0}})
-    EXPECT_NEAR(closest_ridges(angle, thickness), part * thickness, 1e-3 * thickness) << angle;
-  const double between = closest_ridges(17.0, thickness);
-  EXPECT_GT(between, 0.3 * thickness);
-  EXPECT_LT(between, 0.95 * thickness);
-}
-
 // A sheet lies on another, which lies on the floor; with dashpots all motion ends.
 TEST(SurfaceContact, LetsAPileOfSheetsComeToRest) {
   TestSim sim;

@@ -64,7 +64,7 @@ bool is_valid(const Collider& collider) {
 
 bool is_valid(const PairContact& contact) {
   return is_within(not_negative, contact.thickness) && is_within({.min = 0.0, .max = 1.0}, contact.restitution) &&
-         is_within(not_negative, contact.friction);
+         is_within(not_negative, contact.friction) && is_within(positive, contact.frequency) && is_within(positive, contact.damping_ratio);
 }
 
 bool is_valid(const Force& force) {

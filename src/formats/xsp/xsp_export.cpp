@@ -86,7 +86,6 @@ class Exporter {
     const auto radii = static_cast<std::size_t>(std::count_if(system_.points().begin(), system_.points().end(), has_other_radius));
     if (radii > 0 && !walls_.empty()) report_loss("the radius of " + pluralize(radii, "point", "points") + ": it follows from the mass");
     if (moving > 0) report_loss("the motion of " + pluralize(moving, "collider", "colliders"));
-    if (system_.contact.points) report_loss("contact between points");
     if (system_.contact.faces || system_.contact.springs) report_loss("contact of faces and springs");
   }
 
@@ -205,6 +204,13 @@ class Exporter {
       moved = moved || std::abs(place - window[side]) > 0.01;
       restitutions_differ = restitutions_differ || wall.collider->restitution != restitution;
       friction = std::max(friction, wall.collider->friction);
+    }
+    if (const PairContact& contact = system_.contact; contact.points) {
+      document_.forces[4] = {.active = true};
+      if (walls_.empty()) restitution = contact.restitution;
+      if (contact.restitution != restitution) report_loss("the restitution of points: it is that of the first wall");
+      if (contact.friction > 0.0) report_loss("the friction between points");
+      if (contact.thickness > 0.0) report_loss("the thickness of points");
     }
     document_.new_elasticity = restitution;
     if (moved) report_loss("the positions of the walls: they are the sides of the window");

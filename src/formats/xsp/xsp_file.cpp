@@ -14,7 +14,7 @@ namespace hooke {
 namespace {
 
 constexpr double pixel = 1.0 / xsp_pixels_per_meter;  // [m]: the repulsion of a wall does not grow within one pixel
-enum ForceId { Gravity = 0, MassCenter = 1, Center = 2, Wall = 3 };
+enum ForceId { Gravity = 0, MassCenter = 1, Center = 2, Wall = 3, Collisions = 4 };
 
 // XSpringies replaces a mass of 0.
 double mass_of(const XspMass& mass) { return mass.mass == 0.0 ? 1.0 : std::abs(mass.mass); }
@@ -138,6 +138,8 @@ class Importer {
         uses_center = true;
       } else if (id == ForceId::Wall) {
         add_force(wall_force, {scaled(force), force.p2, pixel});
+      } else if (id == ForceId::Collisions) {
+        system.contact = {.points = true, .restitution = import_elasticity("contact"), .friction = 0.0};
       } else {
         warn("force " + std::to_string(id) + " is unknown and ignored");
       }
@@ -209,9 +211,7 @@ class Importer {
     const auto& walls = document_.walls;
     if (std::none_of(walls.begin(), walls.end(), [](bool is_on) { return is_on; })) return;
     const Rectangle window = window_around(document_.masses);
-    const MostCommon elasticity =
-        most_common(document_.masses, document_.new_elasticity, [](const XspMass& mass) { return mass.elasticity; });
-    const double restitution = std::clamp(elasticity.value, 0.0, 1.0);
+    const double restitution = import_elasticity("all walls");
 
     const auto add = [&](XspSide side, double x, double y, const Vec3& normal) {
       if (!walls[static_cast<std::size_t>(side)]) return;
@@ -225,10 +225,18 @@ class Importer {
 
     warn("the file does not contain the size of the window: the walls are at x = " + format_rounded(window.left) + " and " +
          format_rounded(window.right) + ", y = " + format_rounded(window.bottom) + " and " + format_rounded(window.top) + " pixels");
+  }
+
+  // The restitution of these, which masses have in XSpringies.
+  double import_elasticity(const std::string& whose) {
+    const MostCommon elasticity =
+        most_common(document_.masses, document_.new_elasticity, [](const XspMass& mass) { return mass.elasticity; });
+    const double restitution = std::clamp(elasticity.value, 0.0, 1.0);
     if (elasticity.others > 0)
       warn(pluralize(elasticity.others, "mass", "masses") + " with an elasticity other than " + format_rounded(elasticity.value) +
-           ", which all walls have");
+           ", that of " + whose);
     if (restitution != elasticity.value) warn("elasticity " + format_rounded(elasticity.value) + " becomes " + format_rounded(restitution));
+    return restitution;
   }
 
   // The defaults of new masses and springs.

@@ -10,6 +10,7 @@
 #include "scene/crossed_parts.h"
 #include "scene/placed_surface.h"
 #include "sim/contact/closest.h"
+#include "sim/contact/constants.h"
 #include "sim/plan/surface_plan.h"
 
 namespace hooke {
@@ -35,7 +36,7 @@ std::optional<std::string> close_start_warning(const System& system, const State
                  distance = separation - plan.radius_of(pair.points);
     // bent sheets touch at a quarter of it
     if (distance >= thickness / 8.0) continue;
-    if (separation < coincident) {
+    if (separation < contact::coincident * plan.max_thickness) {
       ++count_in_one_place;
       continue;
     }

@@ -8,9 +8,6 @@
 
 namespace hooke {
 
-// Features closer than this have no direction from one to the other [m].
-inline constexpr double coincident = 1e-10;
-
 // Of two features with four points together: a point and the three of a face, or two and two of edges.
 struct Closest {
   // The closest points are the sums of weight times position over the points of the first, and, with the sign reversed, of the second.

@@ -28,7 +28,7 @@ struct FeatureBlock {
   }
 };
 
-// The results, bit for bit those of closest_points(kind, x of the points), on every vector unit.
+// The results: those of closest_points, on every vector unit.
 void find_closest(FeaturePair kind, std::span<const Vec3> x, FeatureBlock& block);
 
 // The distances of all of these pairs alone [m].

@@ -230,8 +230,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   before.pushed.reserve(n);
   if (before.velocity_lag != 0.0 && plan.collider_paths.any_moves) follow_planes(plan, before, h, motion);
   keep_on_planes(plan, before.time + h, motion);
-  if (plan.surface.on)
-    before.surface.begin_substep(plan, before.velocity_lag, before.kicks_last, before.is_limited ? &before.unlimited_v : nullptr, motion);
+  if (plan.surface.on) before.surface.begin_substep(plan, before.velocity_lag, before.is_limited ? &before.unlimited_v : nullptr, motion);
   const double energy = plan.pairs.on && before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
   bool touched = plan.pairs.on && before.pairs.resolve(plan, obstacles, before.x, before.v, h, motion);
   if (touched) {

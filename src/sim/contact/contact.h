@@ -18,7 +18,6 @@ struct ContactWorkspace {
   double velocity_lag = 0.0;  // [1], of the method (integrator.h)
   // [1], the same if the path under friction must be the method's own, x' = x + h v' (PointContactSolver); otherwise 0.
   double friction_lag = 0.0;
-  bool kicks_last = false;  // the method
   Field x, v;
   // Velocities at the end of the substep before the strain limit changed them, if it did: what it changes is no work of forces.
   Field unlimited_v;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/contact/impulse.h"
+
 namespace hooke {
 
 bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction, double duration) {
@@ -277,8 +279,9 @@ void PointContactSolver::bounce(const Obstacle& obstacle, const Vec3& a, double 
   const double approach = std::min(0.0, glm::dot(v - surface, gap.normal));
   double rebound = -collider.restitution * approach;
   Vec3 tangential_velocity = tangential(gap.normal, v - surface);
-  const double speed = glm::length(tangential_velocity);
-  if (speed > 0.0) tangential_velocity *= std::max(0.0, 1.0 - collider.friction * (rebound - approach) / speed);
+  ContactImpulse impulse;  // per mass
+  change_impulse(impulse, rebound - approach, gap.normal, collider.friction, tangential_velocity, 1.0);
+  tangential_velocity += impulse.friction;
 
   // all further bounces take 2 v / (N (1 - e)): if that is within the step, the point comes to rest
   const Vec3 relative_velocity = tangential_velocity + tangential(gap.normal, surface - shape_velocity);

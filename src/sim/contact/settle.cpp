@@ -20,21 +20,14 @@ Vec3 relative_velocity(const Touch& touch, std::span<const Vec3> v) {
 double relax(Touch& touch, std::span<const PointPath> paths, std::span<Vec3> v) {
   const double weight = paths[touch.first].inverse_mass + (touch.second != no_path ? paths[touch.second].inverse_mass : 0.0);
   if (weight == 0.0) return 0.0;
-  const double normal_velocity = glm::dot(touch.normal, relative_velocity(touch, v));
-  const double normal_impulse = std::max(0.0, touch.normal_impulse + (touch.min_velocity - normal_velocity) / weight);
-  const double normal_change = normal_impulse - touch.normal_impulse;
-  touch.normal_impulse = normal_impulse;
-  if (normal_change != 0.0) apply(touch, normal_change * touch.normal, paths, v);
-  if (touch.friction == 0.0 || (normal_impulse == 0.0 && touch.friction_impulse == Vec3(0.0))) return weight * std::abs(normal_change);
-
   const Vec3 velocity = relative_velocity(touch, v);
-  Vec3 friction = touch.friction_impulse - (velocity - glm::dot(touch.normal, velocity) * touch.normal) / weight;
-  const double size = glm::length(friction), max = touch.friction * normal_impulse;
-  if (size > max) friction *= max / size;
-  const Vec3 friction_change = friction - touch.friction_impulse;
-  touch.friction_impulse = friction;
-  apply(touch, friction_change, paths, v);
-  return weight * std::max(std::abs(normal_change), glm::length(friction_change));
+  const double normal_velocity = glm::dot(touch.normal, velocity);
+  const ContactImpulse before = touch.impulse;
+  const double normal_impulse = std::max(0.0, before.normal + (touch.min_velocity - normal_velocity) / weight);
+  if (normal_impulse == 0.0 && before.normal == 0.0) return 0.0;
+  const Vec3 slip = velocity - normal_velocity * touch.normal;
+  apply(touch, change_impulse(touch.impulse, normal_impulse, touch.normal, touch.friction, slip, weight), paths, v);
+  return weight * std::max(std::abs(normal_impulse - before.normal), glm::length(touch.impulse.friction - before.friction));
 }
 
 }  // namespace
@@ -43,7 +36,7 @@ long settle(std::span<Touch> touches, std::span<const std::size_t> active, std::
             std::span<Vec3> v) {
   for (const std::size_t t : active) {
     const Touch& touch = touches[t];
-    if (touch.normal_impulse > 0.0) apply(touch, touch.normal_impulse * touch.normal + touch.friction_impulse, paths, v);
+    if (touch.impulse.normal > 0.0) apply(touch, touch.impulse.normal * touch.normal + touch.impulse.friction, paths, v);
   }
   long impulses = 0;
   for (int sweep = 0; sweep < max_settle_sweeps; ++sweep) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/contact/gap.h"
+#include "sim/contact/impulse.h"
 #include "sim/contact/obstacle.h"
 
 namespace hooke {
@@ -52,13 +53,12 @@ struct Touch {
   bool waits = false;                                     // for the next substep, unless it approaches fast
 
   // of `settle`
-  Vec3 normal{0.0};             // from the second to the first
-  double gap = 0.0;             // [m]
-  double curvature = 0.0;       // [1/m], of the path of the first about the second
-  double min_velocity = 0.0;    // [m/s], that the first must reach along the normal, relative to the second
-  Vec3 surface{0.0};            // [m/s], of the obstacle
-  double normal_impulse = 0.0;  // [N s]
-  Vec3 friction_impulse{0.0};   // [N s]
+  Vec3 normal{0.0};           // from the second to the first
+  double gap = 0.0;           // [m]
+  double curvature = 0.0;     // [1/m], of the path of the first about the second
+  double min_velocity = 0.0;  // [m/s], that the first must reach along the normal, relative to the second
+  Vec3 surface{0.0};          // [m/s], of the obstacle
+  ContactImpulse impulse;
 };
 
 }  // namespace hooke

@@ -16,8 +16,8 @@ void TouchSimulation::find_separation(double tolerance) {
     Touch& touch = touches[k];
     const double reach = h_ * velocity_change(touch), depth = std::max(0.0, -touch.gap - 4.0 * reach);
     touch.min_velocity = std::min(0.2 * depth, 0.1 * reach);
-    touch.normal_impulse = 0.0;
-    touch.friction_impulse = touch.surface = Vec3(0.0);
+    touch.impulse = {};
+    touch.surface = Vec3(0.0);
     any = any || touch.min_velocity > 0.0;
   }
   separates_ = any;

@@ -139,8 +139,7 @@ void TouchSimulation::recall_loads() {
     Touch& touch = touches[k];
     const auto load = std::ranges::lower_bound(last_, std::array{touch.point, touch.other}, {}, &Load::points);
     if (load == last_.end() || load->points != std::array{touch.point, touch.other}) continue;
-    touch.normal_impulse = h_ / last_h_ * load->normal;
-    touch.friction_impulse = h_ / last_h_ * tangential(touch.normal, load->friction);
+    touch.impulse = {h_ / last_h_ * load->impulse.normal, h_ / last_h_ * tangential(touch.normal, load->impulse.friction)};
   }
 }
 
@@ -148,7 +147,7 @@ void TouchSimulation::recall_loads() {
 void TouchSimulation::change_pushed() {
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
-    if (touch.normal_impulse == 0.0) continue;
+    if (touch.impulse.normal == 0.0) continue;
     change(touch.first);
     if (touch.second != no_path) change(touch.second);
   }
@@ -161,8 +160,7 @@ void TouchSimulation::rest() {
   velocity_.resize(n);
   const auto reset = [&](std::size_t k, double min_velocity) {
     touches[k].min_velocity = min_velocity;
-    touches[k].normal_impulse = 0.0;
-    touches[k].friction_impulse = Vec3(0.0);
+    touches[k].impulse = {};
   };
   double scale = 0.0;
   for (const std::size_t k : active_) scale = std::max({scale, velocity_change(touches[k]), quiet_speed(touches[k])});
@@ -199,7 +197,7 @@ void TouchSimulation::rest() {
   for (const std::size_t p : changed_) paths[p].a = (velocity_[p] - (paths[p].v - paths[p].velocity_correction)) / h_;
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
-    if (touch.normal_impulse > 0.0) loads_.push_back({{touch.point, touch.other}, touch.normal_impulse, touch.friction_impulse});
+    if (touch.impulse.normal > 0.0) loads_.push_back({{touch.point, touch.other}, touch.impulse});
   }
   find_separation(rough);
 }
@@ -331,8 +329,8 @@ void TouchSimulation::respond(Touch& touch) {
   const double hop = std::clamp(-0.5 * (h_ - time_) * glm::dot(normal, path.a), 0.0, approach);
   const double normal_impulse = (approach + std::max(restitution * approach, hop)) / weight;
   const Vec3 slip = tangential(normal, path.v - relative_surface_velocity(touch, normal, path.x));
-  const double speed = glm::length(slip), friction = speed > 0.0 ? std::min(touch.friction * normal_impulse / speed, 1.0 / weight) : 0.0;
-  const Vec3 impulse = normal_impulse * normal - friction * slip;
+  ContactImpulse none;
+  const Vec3 impulse = change_impulse(none, normal_impulse, normal, touch.friction, slip, weight);
 
   // without a rebound, the corrections of the method's path must not separate them either
   Vec3 correction(0.0);

@@ -46,8 +46,7 @@ class TouchSimulation {
   // The forces of a touch at rest in the last substep, as impulses.
   struct Load {
     std::array<Index, 2> points{};
-    double normal = 0.0;  // [N s]
-    Vec3 friction{0.0};   // [N s]
+    ContactImpulse impulse;
   };
 
   void find_resting();

@@ -83,8 +83,6 @@ struct Integrator {
   bool for_production;
   // [1], by how much of a step its velocity is behind its position: half a step where x' = x + h v', and -1/2 where x' = x + h v.
   double velocity_lag = 0.0;
-  // Whether its velocity contains the accelerations at the end of the step for half of it, as the last of its changes but for dashpots.
-  bool kicks_last = false;
   // Whether dashpots are solved exactly, apart from all other forces: with second order only while they decay little within a step.
   bool splits_dashpots = false;
   // Called once per frame, before its first step of h: sizes the workspace and computes what is common to all steps. May be null.

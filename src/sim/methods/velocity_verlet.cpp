@@ -117,7 +117,6 @@ constinit const Integrator velocity_verlet{
     .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = true,
-    .kicks_last = true,
     .splits_dashpots = true,
     .prepare = prepare,
     .step = step,

@@ -75,7 +75,6 @@ constinit const Integrator velocity_verlet_explicit{
     .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = false,
-    .kicks_last = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

@@ -81,6 +81,9 @@ struct PairContact {
   double thickness = 0.0;    // [m], >= 0
   double restitution = 0.0;  // [1], 0..1: normal speed after / before
   double friction = 0.3;     // [1], >= 0: Coulomb's mu
+  // Overlaps of faces and springs are removed as by a spring and a dashpot with these values and the mass that the contact moves.
+  double frequency = 30.0;     // [Hz], > 0
+  double damping_ratio = 1.0;  // [1], > 0
   bool any() const { return points || springs || faces; }
   bool operator==(const PairContact&) const = default;
 };

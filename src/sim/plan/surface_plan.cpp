@@ -20,6 +20,7 @@ class SurfacePlanner {
     if (!plan_.on) return;
     find_corners();
     find_edges();
+    find_owned();
     find_thickness();
     find_excluded();
   }
@@ -131,6 +132,20 @@ class SurfacePlanner {
     }
   }
 
+  void find_owned() {
+    for (SurfacePlan::Piece& piece : plan_.pieces) {
+      if (!piece.is_face) continue;
+      const auto has = [](const auto& list, Index first, Index end, const auto& value) {
+        return std::find(list.begin() + first, list.begin() + end, value) != list.begin() + end;
+      };
+      for (unsigned c = 0; c < 3; ++c) {
+        const Index i = piece.points[c], next = piece.points[(c + 1) % 3];
+        if (has(plan_.edges, piece.first_edge, piece.end_edge, edge_ends(i, next))) piece.owned |= static_cast<unsigned char>(1U << c);
+        if (has(plan_.corners, piece.first_corner, piece.end_corner, i)) piece.owned |= static_cast<unsigned char>(8U << c);
+      }
+    }
+  }
+
   // [m]; 0: no spring joins them.
   double rest_length(Index i, Index j) const { return rest_.between(plan_.points[i], plan_.points[j]); }
 
@@ -217,6 +232,8 @@ SurfacePlan plan_surface(const System& system) {
   if (!system.contact.faces && !system.contact.springs) return plan;
   plan.friction = system.contact.friction;
   plan.restitution = system.contact.restitution;
+  plan.frequency = system.contact.frequency;
+  plan.damping_ratio = system.contact.damping_ratio;
   SurfacePlanner(system, plan).plan();
   return plan;
 }

@@ -53,7 +53,6 @@ void Substep::begin_frame(Plan& plan, const Settings& settings, Motion& motion) 
   before_.begin_frame();
   before_.velocity_lag = method_->velocity_lag;
   before_.friction_lag = method_->symplectic ? method_->velocity_lag : 0.0;
-  before_.kicks_last = method_->kicks_last;
   sticking_.begin_frame(plan, motion);
   prepare_method(plan, h_, motion);
   if (is_adaptive()) adaptive_.begin_frame(plan, motion);

@@ -1,91 +1,94 @@
-// The part of SurfaceStep that makes the paths within a substep free of impacts.
+#include "sim/contact/surface/surface_impacts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
-#include "sim/contact/surface/surface_step.h"
+#include "sim/contact/constants.h"
 
 namespace hooke {
 namespace {
 
-// Passes of continuous collision detection with impacts, and those in which what hits each other starts to move together.
-constexpr int impact_passes = 6, max_passes = 1000;
+// Passes with joined points: each joins at least two.
+constexpr int max_passes = 1000;
 
-// Distances on paths in a substep, for a surface of so many points: those that any usual motion takes, and at most, in a tenth of a second.
-// A motion that diverges, so that each point crosses the whole scene in a substep, takes a thousand for each pair.
+// Distances on paths in a substep, for a surface of so many points: those that any usual motion takes, and at most, in a tenth of a second;
+// and beyond the former in a frame, in seconds. A motion that diverges, so that each point crosses the whole scene in a substep, takes a
+// thousand for each pair.
 long usual_distances(std::size_t points) { return 100 * static_cast<long>(points); }
-long max_distances(std::size_t points) { return 5'000'000 + usual_distances(points); }
-// In a frame, with the pairs that are examined and the impulses, beyond usual_distances of each substep: seconds.
-constexpr long max_excess = 40'000'000;
+constexpr long max_distances = 5'000'000, max_excess = 40'000'000;
 
 }  // namespace
 
-// Returns whether anything hit. The paths that remain are free of impacts.
-bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
+bool SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detection, std::span<const double> inverse_mass,
+                             std::span<const Vec3> x, double h, Index held, std::span<Vec3> u) {
   bool any = false;
-  hits_.clear();
   distances_ = 0;
-  long excess = 0;
-  for (int pass = 0;; ++pass) {
-    if (has_failed_ = !search_.change_path(plan, x_, path_); has_failed_) return any;
-    if (pass == max_passes) break;
-    bool hits = false;
-    for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
-      // what is farther away is free on all of its path
-      search_.visit_approaching(plan.surface, kind, 0.9, [&](const SurfacePair& pair, double distance) {
-        if (distances_ > max_distances(x_.size())) return;
-        FourPoints displacement = four(path_, pair.points);
-        for (Vec3& d : displacement) d *= h;
-        const double part = free_part(kind, four(x_, pair.points), displacement, distance, distances_);
-        if (part < 1.0 && handle_impact(pair, part, h, pass >= impact_passes)) hits = true;
-      });
-    excess = distances_ + search_.tests() + contacts_.impulses - usual_distances(x_.size());
-    has_failed_ = distances_ > max_distances(x_.size()) || excess_ + excess > max_excess;
-    if (has_failed_ || !hits) break;
-    any = true;
-  }
-  excess_ += std::max(0L, excess);
+  held_impulse_ = 0.0;
   zone_.clear();
+  const long usual = usual_distances(x.size());
+  for (int pass = 0; pass < max_passes; ++pass) {
+    has_failed_ = !detection.change_velocities(plan, u);
+    bool hits = false;
+    for (const SurfaceDetection::Near& near : detection.near()) {
+      // what is farther away is free on all of its path
+      const double distance = near.closest.distance;
+      if (has_failed_ || contact::ccd_safety * distance > detection.approach()) continue;
+      FourPoints from, displacement;
+      for (int c = 0; c < 4; ++c) from[c] = x[near.points[c]], displacement[c] = h * u[near.points[c]];
+      const double part = free_part(near.kind, from, displacement, distance, distances_);
+      if (part == 1.0) continue;
+      ++impacts_;
+      if (pass < contact::impact_passes)
+        respond(near, inverse_mass, x, part * h, held, u), hits = true;
+      else
+        hits = join(near.points, inverse_mass, u) || hits;
+      has_failed_ = distances_ > max_distances + usual || excess_ + distances_ > max_excess + usual;
+    }
+    any = any || hits;
+    if (has_failed_ || !hits) break;
+  }
+  excess_ += std::max(0L, distances_ + detection.tests() - usual);
+  has_failed_ = has_failed_ || excess_ > max_excess;
   return any;
 }
 
-// An inelastic impact at this part of the substep. Returns whether it changed anything.
-bool SurfaceStep::handle_impact(const SurfacePair& pair, double part, double h, bool joins) {
-  const std::array<Index, 4>& points = pair.points;
-  ++impacts_;
-  ++contacts_.impulses;
-  if (joins) return join(points);
-  FourPoints at = four(x_, points);
-  for (int c = 0; c < 4; ++c) at[c] += part * h * path_[points[c]];
-  const Closest closest = closest_points(pair.kind, at);
-  double response = 0.0;
-  Vec3 relative(0.0);
+// An inelastic impact after this time [s]. If an impulse cannot help, the passes that join do.
+void SurfaceImpacts::respond(const SurfaceDetection::Near& near, std::span<const double> inverse_mass, std::span<const Vec3> x, double time,
+                             Index held, std::span<Vec3> u) {
+  FourPoints at;
+  for (int c = 0; c < 4; ++c) at[c] = x[near.points[c]] + time * u[near.points[c]];
+  const Closest closest = closest_points(near.kind, at);
+  double response = 0.0, fastest = 0.0;
+  Vec3 relative(0.0), drive(0.0);
   for (int c = 0; c < 4; ++c) {
-    response += closest.weight[c] * closest.weight[c] * inverse_mass_[points[c]];
-    relative += closest.weight[c] * path_[points[c]];
+    const double change = closest.weight[c] * inverse_mass[near.points[c]];
+    const Vec3 velocity = closest.weight[c] * u[near.points[c]];
+    response += closest.weight[c] * change;
+    fastest = std::max(fastest, std::abs(change));
+    relative += velocity;
+    if (near.points[c] == held) drive += velocity;
   }
-  // if an impulse cannot help, the passes that join do
-  if (response == 0.0 || closest.distance < coincident) return true;
+  if (response == 0.0 || !(closest.distance > 0.0)) return;
   const Vec3 normal = closest.separation / closest.distance;
-  double velocity = glm::dot(normal, relative);
-  if (!(velocity < 0.0)) return true;
-  if (std::ranges::find(points, held_) != points.end())
-    velocity = -response * limited_impulse(points, closest.weight, normal, -velocity / response, -velocity, inverse_mass_, path_);
-  hits_.push_back({points, closest.weight, -velocity / response * normal});
+  double impulse = -glm::dot(normal, relative) / response;
+  if (drive != Vec3(0.0))
+    impulse = std::min(impulse, contact::max_leverage * std::max(std::abs(glm::dot(normal, drive)), -glm::dot(normal, relative)) / fastest);
+  if (!(impulse > 0.0)) return;
   for (int c = 0; c < 4; ++c) {
-    path_[points[c]] -= inverse_mass_[points[c]] * closest.weight[c] * velocity / response * normal;
-    if (points[c] == held_) held_impulse_ += std::abs(closest.weight[c] * velocity / response);
+    u[near.points[c]] += inverse_mass[near.points[c]] * closest.weight[c] * impulse * normal;
+    if (near.points[c] == held) held_impulse_ += std::abs(closest.weight[c]) * impulse;
   }
-  return true;
 }
 
 // From now on these points, with all that already move together with them, have the same velocity: their mean, or that of a fixed one.
 // False if they have already, or if two that are fixed do not.
-bool SurfaceStep::join(const std::array<Index, 4>& points) {
-  const std::size_t n = x_.size();
+bool SurfaceImpacts::join(const std::array<Index, 4>& points, std::span<const double> inverse_mass, std::span<Vec3> u) {
+  const std::size_t n = u.size();
   if (zone_.size() != n) {
     zone_.resize(n);
-    for (std::size_t k = 0; k < n; ++k) zone_[k] = static_cast<Index>(k);
+    std::iota(zone_.begin(), zone_.end(), 0);
   }
   const std::array<Index, 4> zones{zone_[points[0]], zone_[points[1]], zone_[points[2]], zone_[points[3]]};
   if (std::ranges::all_of(zones, [&](Index zone) { return zone == zones[0]; })) return false;
@@ -96,20 +99,20 @@ bool SurfaceStep::join(const std::array<Index, 4>& points) {
   for (std::size_t k = 0; k < n; ++k) {
     if (std::ranges::find(zones, zone_[k]) == zones.end()) continue;
     zone_[k] = first;
-    if (inverse_mass_[k] == 0.0) {
-      fixed = path_[k];
+    if (inverse_mass[k] == 0.0) {
+      fixed = u[k];
       has_fixed = true;
     } else {
-      mass += 1.0 / inverse_mass_[k];
-      momentum += path_[k] / inverse_mass_[k];
+      mass += 1.0 / inverse_mass[k];
+      momentum += u[k] / inverse_mass[k];
     }
   }
   const Vec3 velocity = has_fixed ? fixed : momentum / mass;
-  for (std::size_t k = 0; k < n; ++k)
-    if (zone_[k] == first && inverse_mass_[k] != 0.0) {
-      if (has_fixed) held_impulse_ += glm::length(path_[k] - velocity) / inverse_mass_[k];
-      path_[k] = velocity;
-    }
+  for (std::size_t k = 0; k < n; ++k) {
+    if (zone_[k] != first || inverse_mass[k] == 0.0) continue;
+    if (has_fixed) held_impulse_ += glm::length(u[k] - velocity) / inverse_mass[k];
+    u[k] = velocity;
+  }
   return true;
 }
 

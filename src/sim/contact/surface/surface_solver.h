@@ -1,55 +1,67 @@
-// Contact between faces and springs during a frame.
+// Contact between faces, springs and spheres during a frame.
 #pragma once
 
-#include <memory>
 #include <span>
+#include <vector>
 
+#include "sim/contact/contact_work.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_search.h"
+#include "sim/contact/surface/surface_contacts.h"
+#include "sim/contact/surface/surface_impacts.h"
 #include "sim/forces/motion.h"
 
 namespace hooke {
 
-class SurfaceStep;
-
 // Impulses act at the start of a substep.
 inline constexpr int surface_contact_order = 1;
 
-// Corrects a step of any method, after all else that moves points in it: their path within it is taken to be straight. Impulses keep what
-// comes closer than the thickness from approaching (surface_response.h). What would pass through each other nevertheless has an inelastic
-// impact, found by continuous collision detection on the paths that result, again until there is none; after some passes, what hits each
-// other moves together. Hence nothing that is apart at the start of a step meets within it, unless nailed or held points force it to.
-// Positions are not changed after that.
-//
-// What a substep does depends neither on those before it in the frame nor on the margin with which pairs of features are searched.
+// Corrects a step of any method, after all else that moves points in it, as if impulses acted at its start, on the mean velocity
+// u = (x1 - x0) / h with which its points move: x1 = x0 + h u', v1 = v + u' - u. What is apart at the start of a substep does not meet
+// within it, unless nailed or held points force it to. What a substep does depends on its start and on the impulses of the last one in the
+// frame.
 class SurfaceSolver {
  public:
-  // [1], of the length of the edges. Results do not depend on it.
-  explicit SurfaceSolver(double relative_margin = 0.25);
-  ~SurfaceSolver();
-  SurfaceSolver(SurfaceSolver&& other) noexcept;
-  SurfaceSolver& operator=(SurfaceSolver&& other) noexcept;
+  // [1], of the length of the edges: with which pairs of features are searched. Results do not depend on it.
+  explicit SurfaceSolver(double relative_margin = 0.25) : detection_(relative_margin) {}
 
   // Points may have been edited. What passes through each other now is left alone until the next frame.
   void begin_frame();
-
-  // Before other contacts: remembers where the method leads, with its velocities before the strain limit changed them, if it did.
-  void begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, const Motion& motion);
-  // Corrects the step of h that led from (x0, v0) to the motion. Returns whether anything touched. `near`: pairs of points that may touch
-  // each other in it; what features do to them does not press them into each other.
+  // Before other contacts: remembers the velocities that the method has led to, before the strain limit changed them, if it did.
+  void begin_substep(const Plan& plan, double velocity_lag, const Field* unlimited, const Motion& motion);
+  // Corrects the step of h that led from (x0, v0) to the motion. `near`: pairs of points that may touch each other in it; what features do
+  // to them does not press them into each other. Returns whether anything touched.
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0, const Field& v0,
                double h, Motion& motion);
-  // Whether the last call gave up: there are more than PairSolver::max_pairs pairs.
-  bool has_failed() const;
+  // Whether the last call gave up: there are too many pairs, or impacts.
+  bool has_failed() const { return has_failed_; }
 
   // In this frame, for tests and measurements.
-  long searches() const;    // of pairs
-  long impacts() const;     // found by continuous collision detection
-  long candidates() const;  // pairs
+  long searches() const { return detection_.searches(); }      // of pairs
+  long impacts() const { return impacts_.impacts(); }          // found by continuous collision detection
+  long candidates() const { return detection_.candidates(); }  // pairs
 
  private:
-  double relative_margin_;
-  std::unique_ptr<SurfaceStep> step_;  // none: nothing touched yet
+  bool load(const Plan& plan, const Field& x0, double h, const Motion& motion);
+  void start_frame(const Plan& plan);
+  void add_obstacles(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion);
+  void find_rebounds(const Plan& plan, const Field& v0, double h, const Motion& motion);
+  void write(const Plan& plan, const Field& v0, double h, Motion& motion);
+  SuppliedWork supplied_work(const Plan& plan, const Motion& motion) const;
+
+  SurfaceDetection detection_;
+  SurfaceContacts contacts_;
+  SurfaceImpacts impacts_;
+  double velocity_lag_ = 0.0;  // [1], of the method (integrator.h)
+  bool is_limited_ = false, has_failed_ = false;
+  Index held_ = no_index;             // the held point
+  std::vector<Index> local_;          // per point of the scene: of the surface; no_index: not on it
+  std::vector<double> inverse_mass_;  // [1/kg], per point of the surface, as all of the following
+  std::vector<Vec3> x_, arm_;         // [m], at the start of the substep, and x1 - h v1
+  std::vector<Vec3> free_velocity_;   // [m/s], at its end without any contact and strain limit
+  std::vector<Vec3> free_u_, u_;      // [m/s], of the path without and with this contact
+  std::vector<Vec3> velocity_;        // [m/s], at the end
+  std::vector<char> is_marked_;
 };
 
 }  // namespace hooke

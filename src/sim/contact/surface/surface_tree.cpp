@@ -61,12 +61,15 @@ void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
     pieces_.push_back(p);
   }
   nodes_.clear();
-  leaves_.clear();
   split(center, 0, n);
   sort_features(plan);
-  sort_points(plan);
   radius_ = plan.radius;
-  for (const Index leaf : leaves_) fit_features(x, nodes_[leaf]);
+  refit(x);
+}
+
+void SurfaceTree::refit(std::span<const Vec3> x) {
+  for (Node& node : nodes_)
+    if (node.second == no_index) fit_features(x, node);
   fit_parents();
 }
 
@@ -74,12 +77,9 @@ void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
 void SurfaceTree::split(std::span<const Vec3> center, Index first, Index end) {
   const std::size_t node = nodes_.size();
   nodes_.push_back({.pieces = {first, end}});
-  nodes_[node].leaves.begin = leaf_count();
   const auto at = [&](Index position) { return pieces_.begin() + position; };
   if (end - first <= pieces_per_leaf) {
     std::sort(at(first), at(end));
-    leaves_.push_back(static_cast<Index>(node));
-    nodes_[node].leaves.end = leaf_count();
     return;
   }
   SurfaceBox box{center[pieces_[first]], center[pieces_[first]]};
@@ -93,7 +93,6 @@ void SurfaceTree::split(std::span<const Vec3> center, Index first, Index end) {
   split(center, first, middle);
   nodes_[node].second = static_cast<Index>(nodes_.size());
   split(center, middle, end);
-  nodes_[node].leaves.end = leaf_count();
 }
 
 void SurfaceTree::sort_features(const SurfacePlan& plan) {
@@ -134,19 +133,6 @@ void SurfaceTree::sort_features(const SurfacePlan& plan) {
   set_boxes(edge_boxes_, edge_ends_, 2, [](const auto& ends, std::size_t k) { return ends[k]; });
 }
 
-void SurfaceTree::sort_points(const SurfacePlan& plan) {
-  leaf_points_.clear();
-  first_point_.assign(1, 0);
-  for (const Index leaf : leaves_) {
-    const auto first = static_cast<std::ptrdiff_t>(leaf_points_.size());
-    for (Index p = nodes_[leaf].pieces.begin; p < nodes_[leaf].pieces.end; ++p)
-      for (const Index i : plan.pieces[pieces_[p]].points) leaf_points_.push_back(i);
-    std::sort(leaf_points_.begin() + first, leaf_points_.end());
-    leaf_points_.erase(std::unique(leaf_points_.begin() + first, leaf_points_.end()), leaf_points_.end());
-    first_point_.push_back(static_cast<Index>(leaf_points_.size()));
-  }
-}
-
 // Boxes of spheres are around all of them.
 void SurfaceTree::fit_features(std::span<const Vec3> x, Node& leaf) {
   const auto box_of_point = [&](Index i) {
@@ -170,13 +156,6 @@ void SurfaceTree::fit_features(std::span<const Vec3> x, Node& leaf) {
   }
 }
 
-double SurfaceTree::max_radius_of(Index leaf) const {
-  double max = 0.0;
-  if (!radius_.empty())
-    for (const Index i : points_of(leaf)) max = std::max(max, radius_[i]);
-  return max;
-}
-
 void SurfaceTree::fit_parents() {
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
@@ -186,59 +165,31 @@ void SurfaceTree::fit_parents() {
   }
 }
 
-void SurfaceTree::set_leaf_boxes(std::span<const SurfaceBox> boxes) {
-  for (Index leaf = 0; leaf < leaf_count(); ++leaf) nodes_[leaves_[leaf]].box = boxes[leaf];
-  fit_parents();
-}
-
-void SurfaceTree::find_leaf_pairs(Index begin, Index end, std::vector<std::array<Index, 2>>& pairs) const {
-  std::vector<Index> open;
-  for (Index leaf = begin; leaf < end; ++leaf) {
-    const SurfaceBox box = nodes_[leaves_[leaf]].box;
-    open.push_back(0);
-    while (!open.empty()) {
-      const Index i = open.back();
-      open.pop_back();
-      const Node& node = nodes_[i];
-      if (node.leaves.end <= leaf || !are_close(box, node.box, 0.0)) continue;
-      if (node.second == no_index) {
-        pairs.push_back({leaf, node.leaves.begin});
-      } else {
-        open.push_back(node.second);
-        open.push_back(i + 1);
-      }
-    }
-  }
-}
-
 // Calls visit(a, b) for the leaves whose boxes are close to each other; stops when it returns false.
 template <class Visit>
 void SurfaceTree::visit_leaves(double reach, const Visit& visit) const {
-  std::vector<std::array<Index, 2>> open{{0, 0}};
-  while (!open.empty()) {
-    const auto [a, b] = open.back();
-    open.pop_back();
+  // at most three for each level of the tree of both
+  std::array<std::array<Index, 2>, 256> open;
+  std::size_t count = 0;
+  const auto push = [&](Index a, Index b) { open[count++] = {a, b}; };
+  push(0, 0);
+  while (count > 0) {
+    const auto [a, b] = open[--count];
     const Node &first = nodes_[a], &second = nodes_[b];
-    if (a == b) {
-      if (first.second != no_index) {
-        open.push_back({first.second, first.second});
-        open.push_back({a + 1, first.second});
-        open.push_back({a + 1, a + 1});
-        continue;
-      }
-    } else {
+    if (a == b && first.second != no_index) {
+      push(first.second, first.second);
+      push(a + 1, first.second);
+      push(a + 1, a + 1);
+      continue;
+    }
+    if (a != b) {
       if (!are_close(first.box, second.box, reach)) continue;
       // halves the one with more pieces
       const auto size = [](const Node& node) { return node.pieces.end - node.pieces.begin; };
       const bool splits_first = first.second != no_index && (second.second == no_index || size(first) >= size(second));
-      if (splits_first) {
-        open.push_back({first.second, b});
-        open.push_back({a + 1, b});
-        continue;
-      }
-      if (second.second != no_index) {
-        open.push_back({a, second.second});
-        open.push_back({a, b + 1});
+      if (splits_first || second.second != no_index) {
+        push(splits_first ? first.second : a, splits_first ? b : second.second);
+        push(splits_first ? a + 1 : a, splits_first ? b : b + 1);
         continue;
       }
     }
@@ -293,23 +244,53 @@ void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const
 }
 
 bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out,
-                             std::vector<SurfacePair>& pairs, std::size_t max_pairs) {
+                             std::size_t max_pairs, PairsByKind& pairs, std::array<std::vector<double>, 2>& distances) const {
+  for (SurfacePairs& each : pairs) each.resize(0);
+  for (std::vector<double>& each : distances) each.clear();
   if (nodes_.empty()) return true;
-  PairsByKind close;
-  std::vector<double> distance;
-  visit_leaves(reach, [&](const Node& first, const Node& second) {
-    for (SurfacePairs& each : close) each.resize(0);
-    append_close(plan, first, second, reach, left_out, close);
-    for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) {
-      const SurfacePairs& of_kind = close[static_cast<std::size_t>(kind)];
-      distance.resize(of_kind.size());
-      find_distances(kind, x, of_kind.points, distance);
-      for (std::size_t p = 0; p < of_kind.size(); ++p)
-        if (distance[p] - plan.radius_of(of_kind.points[p]) < reach) pairs.push_back(of_kind.pair(plan, kind, p));
+  // those that were found last, without those that are too far apart
+  std::array<std::size_t, 2> measured{};
+  const auto measure = [&](FeaturePair kind) {
+    const auto k = static_cast<std::size_t>(kind);
+    SurfacePairs& found = pairs[k];
+    std::size_t end = measured[k];
+    distances[k].resize(found.size());
+    find_distances(kind, x, std::span(found.points).subspan(end), std::span(distances[k]).subspan(end));
+    for (std::size_t p = end; p < found.size(); ++p) {
+      const double distance = distances[k][p] - plan.radius_of(found.points[p]);
+      found.move(p, end);
+      distances[k][end] = distance;
+      end += static_cast<std::size_t>(distance < reach);
     }
-    return pairs.size() <= max_pairs;
+    found.resize(end);
+    distances[k].resize(end);
+    measured[k] = end;
+  };
+  constexpr std::size_t batch = 4096;
+  visit_leaves(reach, [&](const Node& first, const Node& second) {
+    append_close(plan, first, second, reach, left_out, pairs);
+    for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
+      if (const auto k = static_cast<std::size_t>(kind); pairs[k].size() > measured[k] + batch) measure(kind);
+    return measured[0] + measured[1] <= max_pairs;
   });
-  return pairs.size() <= max_pairs;
+  for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) measure(kind);
+  return measured[0] + measured[1] <= max_pairs;
+}
+
+bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out,
+                             std::vector<SurfacePair>& pairs, std::size_t max_pairs) const {
+  PairsByKind found;
+  std::array<std::vector<double>, 2> distances;
+  const bool is_complete = find_pairs(plan, x, reach, left_out, max_pairs, found, distances);
+  for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) {
+    const SurfacePairs& of_kind = found[static_cast<std::size_t>(kind)];
+    for (std::size_t p = 0; p < of_kind.size(); ++p) {
+      const auto [first, second] = of_kind.features[p];
+      const bool has_spring = kind == FeaturePair::TwoEdges && (plan.is_spring[first] | plan.is_spring[second]) != 0;
+      pairs.push_back({.kind = kind, .has_spring = has_spring, .points = of_kind.points[p], .features = of_kind.features[p]});
+    }
+  }
+  return is_complete;
 }
 
 Crossings SurfaceTree::find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const {

@@ -1,0 +1,37 @@
+// Continuous collision detection: what would pass through each other within a substep nevertheless has an impact.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/contact/surface/surface_detection.h"
+
+namespace hooke {
+
+class SurfaceImpacts {
+ public:
+  void begin_frame() { impacts_ = excess_ = 0; }
+  // Changes the velocities u [m/s] of the paths from x that lead through each other in h [s]: by inelastic impacts, again until there is
+  // none; after some passes, what meets moves together. The paths that remain are free of impacts, unless points that are fixed or held
+  // force features through each other. `held`: a point whose impulses are summed up. Returns whether it changed any.
+  bool prevent(const SurfacePlan& plan, SurfaceDetection& detection, std::span<const double> inverse_mass, std::span<const Vec3> x,
+               double h, Index held, std::span<Vec3> u);
+  // Whether the last call gave up: it takes too much work, or there are too many pairs.
+  bool has_failed() const { return has_failed_; }
+  long impacts() const { return impacts_; }              // in this frame
+  long distances() const { return distances_; }          // computed in the last call
+  double held_impulse() const { return held_impulse_; }  // [N s], a bound on those on the held point in the last call
+
+ private:
+  void respond(const SurfaceDetection::Near& near, std::span<const double> inverse_mass, std::span<const Vec3> x, double time, Index held,
+               std::span<Vec3> u);
+  bool join(const std::array<Index, 4>& points, std::span<const double> inverse_mass, std::span<Vec3> u);
+
+  std::vector<Index> zone_;  // per point: the first of those that move together; empty: none do
+  bool has_failed_ = false;
+  double held_impulse_ = 0.0;  // [N s]
+  long impacts_ = 0, distances_ = 0;
+  long excess_ = 0;  // distances of earlier substeps of the frame, beyond what is usual
+};
+
+}  // namespace hooke
