@@ -6,6 +6,7 @@
 
 #include "sim/contact/constants.h"
 #include "sim/contact/pair_solver.h"
+#include "sim/forces/energy/plan_energy.h"
 
 namespace hooke {
 namespace {
