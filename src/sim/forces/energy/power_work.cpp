@@ -50,24 +50,46 @@ bool is_smooth(double start, double middle, double end) {
   return std::abs(start - 2.0 * middle + end) <= max_power_bend * std::max({std::abs(start), std::abs(middle), std::abs(end)});
 }
 
-// [J], of the impulses that dashpots exert on the path of the method, from `start` to `free`, along the rest of the path to `end`.
-double dashpot_work_after(const Plan& plan, double h, const Field& start, const Field& free, const Field& end) {
+// Positions of all points and their velocities.
+struct Place {
+  const Field &x, &v;
+};
+
+struct Separation {
+  double length, speed;  // [m], [m/s]
+};
+Separation separation(const Plan& plan, const Place& place, Index first, Index second) {
+  double length_squared = 0.0, product = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const std::size_t at = static_cast<std::size_t>(c) * plan.points, i = at + first, j = at + second;
+    length_squared += (place.x[j] - place.x[i]) * (place.x[j] - place.x[i]);
+    product += (place.x[j] - place.x[i]) * (place.v[j] - place.v[i]);
+  }
+  const double length = std::sqrt(length_squared);
+  return {length, length == 0.0 ? 0.0 : product / length};
+}
+
+// [J], of the impulses -d (l1 - l0) that dashpots exert in a step between these places: at the mean of the speeds before and after it.
+double dashpot_work(const Plan& plan, const Place& start, const Place& end) {
   double work = 0.0;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      const double damping = plan.spring.damping[run.begin + e];
-      if (damping == 0.0) continue;
-      const auto length = [&](const Field& x) {
-        double sum = 0.0;
-        for (int c = 0; c < plan.dimensions; ++c) {
-          const std::size_t at = static_cast<std::size_t>(c) * plan.points;
-          const double difference = x[at + run.second + e] - x[at + run.first + e];
-          sum += difference * difference;
-        }
-        return std::sqrt(sum);
-      };
-      const double l1 = length(free);
-      work -= damping * (l1 - length(start)) * (length(end) - l1) / h;
+      const auto [l0, w0] = separation(plan, start, run.first + e, run.second + e);
+      const auto [l1, w1] = separation(plan, end, run.first + e, run.second + e);
+      work -= 0.5 * plan.spring.damping[run.begin + e] * (l1 - l0) * (w0 + w1);
+    }
+  return work;
+}
+
+// [J], of the same impulses, along the way on which contact then leads the points to `end`.
+double dashpot_work_after(const Plan& plan, double h, const Field& start, const Field& free, const Field& end) {
+  const auto length = [&](const Field& x, Index first, Index second) { return separation(plan, {x, x}, first, second).length; };
+  double work = 0.0;
+  for (const SpringRun& run : plan.spring.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const Index first = run.first + e, second = run.second + e;
+      const double l1 = length(free, first, second);
+      work -= plan.spring.damping[run.begin + e] * (l1 - length(start, first, second)) * (length(end, first, second) - l1) / h;
     }
   return work;
 }
@@ -143,11 +165,14 @@ EnergyLedger PowerWork::displacement_work(const Plan& plan, double h, const Fiel
 
 void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
   if (!has_power()) return;
-  if (motion.power) return end_steps(plan, motion, h);
+  const bool needs_path = measures_drag_ || measures_dashpots_;
+  if (motion.power && !needs_path) return end_steps(plan, motion, h);
   const EnergyLedger start = power_;
   power_ = power_at_end(plan, motion);
   is_power_current_ = true;
   if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
+  impulse_work_ =
+      measures_dashpots_ && !sweeps_->has_swept() && plan.has_contact() ? dashpot_work(plan, {x_, v_}, {motion.x, motion.v}) : 0.0;
 
   const auto is_resolved = [&](EnergyCause cause) { return rate_of(plan, cause) * h <= max_resolved_rate; };
   EnergyLedger middle;
@@ -156,18 +181,21 @@ void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
     middle = power(plan, time_ + 0.5 * h, middle_x_, middle_v_);
   }
   const auto is_by_simpson = [&](EnergyCause cause) { return is_resolved(cause) && is_smooth(start[cause], middle[cause], power_[cause]); };
-  const bool all_by_simpson = std::ranges::all_of(by_power, is_by_simpson);
-  work_ = all_by_simpson ? EnergyLedger{} : displacement_work(plan, h, motion.x);
-  for (const EnergyCause cause : by_power)
-    if (is_by_simpson(cause)) work_[cause] = h / 6.0 * (start[cause] + 4.0 * middle[cause] + power_[cause]);
-  if (!all_by_simpson && !plan.hand.held && !plan.hand.pull) limit_to_missing(plan, motion);
+  work_ = std::ranges::all_of(by_power, is_by_simpson) ? EnergyLedger{} : displacement_work(plan, h, motion.x);
+  EnergyLedger unresolved = work_;
+  for (const EnergyCause cause : by_power) {
+    if (!is_by_simpson(cause)) continue;
+    work_[cause] = h / 6.0 * (start[cause] + 4.0 * middle[cause] + power_[cause]);
+    unresolved[cause] = 0.0;
+  }
+  if (!plan.hand.held && !plan.hand.pull) limit_to_missing(plan, motion, unresolved);
 }
 
 // A step that does not resolve a damping force is braked by less than the power at its velocity says: by no more than the energy that is
 // missing. Over the frame, because the energy of a method oscillates from substep to substep.
-void PowerWork::limit_to_missing(const Plan& plan, const Motion& motion) {
+void PowerWork::limit_to_missing(const Plan& plan, const Motion& motion, const EnergyLedger& unresolved) {
   double taken = 0.0, supplied = has_air_ ? air_work(plan, x_, motion.x) : 0.0;
-  for (const EnergyCause cause : by_power) (work_[cause] < 0.0 ? taken : supplied) += work_[cause];
+  for (const EnergyCause cause : by_power) (unresolved[cause] < 0.0 ? taken : supplied) += work_[cause];
   if (taken == 0.0) return;
   const double middle = 0.5 * (time_ + motion.time);
   const double change = kinetic_energy(plan, motion.v) - kinetic_energy(plan, v_) + potential_energy(plan, middle, motion.x) -
@@ -175,7 +203,7 @@ void PowerWork::limit_to_missing(const Plan& plan, const Motion& motion) {
   const double possible = std::max(taken + carried_, std::min(0.0, change - supplied));
   carried_ += taken - possible;
   for (const EnergyCause cause : by_power)
-    if (work_[cause] < 0.0) work_[cause] *= possible / taken;
+    if (unresolved[cause] < 0.0) work_[cause] *= possible / taken;
 }
 
 void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
@@ -231,7 +259,7 @@ void PowerWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_
     if (sweeps_->has_swept())
       work_[EnergyCause::Dashpots] = work_of_sweeps(plan, h, acts_after ? motion.x : free_x_);
     else if (acts_after)
-      work_[EnergyCause::Dashpots] += part_after_contact_ * dashpot_work_after(plan, h, x_, free_x_, motion.x);
+      work_[EnergyCause::Dashpots] = impulse_work_ + part_after_contact_ * dashpot_work_after(plan, h, x_, free_x_, motion.x);
   }
   if (has_air_) motion.energy.add(EnergyCause::Potentials, air_work(plan, x_, motion.x));
   if (has_potential_) add_potential_work(plan, motion, h);
