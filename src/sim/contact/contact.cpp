@@ -182,7 +182,6 @@ void follow_planes(const Plan& plan, const ContactWorkspace& before, double h, M
 // Adds the work of the contact, in addition to the work of the forces.
 void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h,
                     bool& touched) {
-  before.contact_work = 0.0;
   if (obstacles.empty()) return;
   const auto n = static_cast<std::size_t>(plan.points);
   const std::size_t blocks = (n + PointPass::block - 1) / PointPass::block;
@@ -217,7 +216,7 @@ void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
   const double pushed = before.pushed.empty() ? 0.0 : push_work(plan, before, h, motion);
   motion.energy.add(EnergyCause::Colliders, pushed);
   if (before.is_limited) work = energy_of_limited(plan, before, h, motion) - pushed - energy;
-  before.contact_work = book_contact_work(work, {.by_colliders = supplied}, motion);
+  book_contact_work(work, {.by_colliders = supplied}, motion);
 }
 
 }  // namespace
@@ -240,6 +239,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     before.first_impact = before.pairs.first_impact();
   }
   resolve_points(plan, obstacles, before, motion, h, touched);
+  if (touched && !before.is_limited && before.works != nullptr) before.works->end_point_contact(plan, h, motion);
   const std::span<const PointPair> near = plan.pairs.on ? before.pairs.near() : std::span<const PointPair>();
   if (plan.surface.on && before.surface.resolve(plan, obstacles, near, before.x, before.v, h, motion)) {
     touched = true;

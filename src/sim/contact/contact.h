@@ -8,6 +8,7 @@
 #include "sim/contact/pair_solver.h"
 #include "sim/contact/resting_kernel.h"
 #include "sim/contact/surface/surface_solver.h"
+#include "sim/forces/energy/power_work.h"
 #include "sim/forces/motion.h"
 
 namespace hooke {
@@ -25,7 +26,6 @@ struct ContactWorkspace {
   std::vector<Obstacle> obstacles;
   // [s], since the start of the substep, when the first point touched something, and when the first had an impact; infinity: none did
   double first_touch = 0.0, first_impact = 0.0;
-  double contact_work = 0.0;  // [J], of the points that touched colliders; what colliders that move have supplied is not in it
   // Points that were inside a collider before the substep, where they are after it, and how far they were moved out [m].
   struct Pushed {
     std::size_t point;
@@ -42,6 +42,7 @@ struct ContactWorkspace {
     bool any_solved, any_open;
   };
   std::vector<Block> blocks;
+  const PowerWork* works = nullptr;  // of the step, if the method sweeps over dashpots
   PairSolver pairs;
   SurfaceSolver surface;
   // Points may have been edited.

@@ -74,7 +74,7 @@ constinit const Integrator velocity_verlet_explicit{
     .symplectic = true,
     .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
-    .for_production = false,
+    .for_production = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

@@ -64,7 +64,7 @@ bool AdaptiveStep::correct(const Step& step, ContactWorkspace& before, double h,
   if (plan.surface.on) ++surface_steps_;
   const bool touches = plan.has_contact() && resolve_contacts(plan, before, motion, h);
   if (is_limited || touches) motion.acceleration_is_current = false;
-  step.works.end_substep(plan, motion, h, is_limited || touches);
+  step.works.end_substep(plan, motion, h, is_limited || touches, is_limited);
   return touches;
 }
 

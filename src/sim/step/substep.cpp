@@ -49,8 +49,9 @@ void Substep::begin_frame(Plan& plan, const Settings& settings, Motion& motion) 
   work_.min_step = min_step_fraction * h_;
   // where springs have a largest length or touch each other, nothing but a measurement tells how much damping may have dissipated
   const bool measures_damping = settings.measures_damping || plan.touches_itself() || !plan.spring.max_length.empty();
-  works_.begin_frame(plan, motion, work_.dashpots, measures_damping);
+  works_.begin_frame(plan, motion, method_->velocity_lag, work_.dashpots, measures_damping);
   before_.begin_frame();
+  before_.works = &works_;
   before_.velocity_lag = method_->velocity_lag;
   before_.friction_lag = method_->symplectic ? method_->velocity_lag : 0.0;
   sticking_.begin_frame(plan, motion);
@@ -111,7 +112,7 @@ double Substep::step(Plan& plan, Motion& motion, int done, bool& is_moved) {
   if (!is_adaptive()) {
     works_.end_step(plan, motion, length);
     is_moved = correct(plan, motion, length);
-    works_.end_substep(plan, motion, length, is_moved);
+    works_.end_substep(plan, motion, length, is_moved, before_.is_limited);
   }
   sticking_.end_step(plan, length, motion);
   return length;

@@ -50,8 +50,8 @@ bool is_smooth(double start, double middle, double end) {
   return std::abs(start - 2.0 * middle + end) <= max_power_bend * std::max({std::abs(start), std::abs(middle), std::abs(end)});
 }
 
-// [J], of dashpots whose impulse is that of the path of the method, from `start` to `free`, along the path to `end`.
-double dashpot_work(const Plan& plan, double h, const Field& start, const Field& free, const Field& end) {
+// [J], of the impulses that dashpots exert on the path of the method, from `start` to `free`, along the rest of the path to `end`.
+double dashpot_work_after(const Plan& plan, double h, const Field& start, const Field& free, const Field& end) {
   double work = 0.0;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
@@ -66,8 +66,8 @@ double dashpot_work(const Plan& plan, double h, const Field& start, const Field&
         }
         return std::sqrt(sum);
       };
-      const double l0 = length(start);
-      work -= damping * (length(free) - l0) * (length(end) - l0) / h;
+      const double l1 = length(free);
+      work -= damping * (l1 - length(start)) * (length(end) - l1) / h;
     }
   return work;
 }
@@ -83,8 +83,11 @@ constexpr std::array by_power{EnergyCause::Forces, EnergyCause::Drag, EnergyCaus
 
 }  // namespace
 
-void PowerWork::begin_frame(const Plan& plan, const Motion& motion, DashpotSweeps& sweeps, bool measures_damping) {
+void PowerWork::begin_frame(const Plan& plan, const Motion& motion, double velocity_lag, DashpotSweeps& sweeps, bool measures_damping) {
   is_power_current_ = false;
+  carried_ = 0.0;
+  // where the velocity lags behind the positions, that of the path is the one after the step: a part of the impulses has acted before
+  part_after_contact_ = 1.0 - std::max(0.0, velocity_lag);
   has_forces_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
   has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
   has_air_ = air_acceleration(plan) != Vec3(0.0);
@@ -153,9 +156,26 @@ void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
     middle = power(plan, time_ + 0.5 * h, middle_x_, middle_v_);
   }
   const auto is_by_simpson = [&](EnergyCause cause) { return is_resolved(cause) && is_smooth(start[cause], middle[cause], power_[cause]); };
-  work_ = std::ranges::all_of(by_power, is_by_simpson) ? EnergyLedger{} : displacement_work(plan, h, motion.x);
+  const bool all_by_simpson = std::ranges::all_of(by_power, is_by_simpson);
+  work_ = all_by_simpson ? EnergyLedger{} : displacement_work(plan, h, motion.x);
   for (const EnergyCause cause : by_power)
     if (is_by_simpson(cause)) work_[cause] = h / 6.0 * (start[cause] + 4.0 * middle[cause] + power_[cause]);
+  if (!all_by_simpson && !plan.hand.held && !plan.hand.pull) limit_to_missing(plan, motion);
+}
+
+// A step that does not resolve a damping force is braked by less than the power at its velocity says: by no more than the energy that is
+// missing. Over the frame, because the energy of a method oscillates from substep to substep.
+void PowerWork::limit_to_missing(const Plan& plan, const Motion& motion) {
+  double taken = 0.0, supplied = has_air_ ? air_work(plan, x_, motion.x) : 0.0;
+  for (const EnergyCause cause : by_power) (work_[cause] < 0.0 ? taken : supplied) += work_[cause];
+  if (taken == 0.0) return;
+  const double middle = 0.5 * (time_ + motion.time);
+  const double change = kinetic_energy(plan, motion.v) - kinetic_energy(plan, v_) + potential_energy(plan, middle, motion.x) -
+                        potential_energy(plan, middle, x_);
+  const double possible = std::max(taken + carried_, std::min(0.0, change - supplied));
+  carried_ += taken - possible;
+  for (const EnergyCause cause : by_power)
+    if (work_[cause] < 0.0) work_[cause] *= possible / taken;
 }
 
 void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
@@ -171,30 +191,48 @@ void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
   if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
 }
 
-// At points that contact or the strain limit moved, the impulses of the sweeps act along the path that results, as all forces do for
-// contact.
-double PowerWork::work_of_sweeps(const Plan& plan, double h, const Motion& motion, bool is_moved) const {
+// Each sweep takes the kinetic energy that it measures. Where contact leads points elsewhere, its impulses act on what is as much faster.
+double PowerWork::work_of_sweeps(const Plan& plan, double h, const Field& end) const {
   double work = 0.0;
   for (int c = 0; c < plan.dimensions; ++c)
-    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at) {
-      const bool is_displaced = is_moved && motion.x[at] != free_x_[at];
-      work += is_displaced ? plan.mass[i] * sweeps_->change()[at] * (motion.x[at] - x_[at]) / h : sweeps_->work()[at];
-    }
+    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
+      work += sweeps_->work()[at] + plan.mass[i] * sweeps_->change()[at] * (end[at] - free_x_[at]) / h;
   return work;
 }
 
-void PowerWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_moved) {
+void PowerWork::end_point_contact(const Plan& plan, double h, Motion& motion) const {
+  if (!measures_dashpots_ || !sweeps_->has_swept()) return;
+  const auto n = static_cast<std::size_t>(plan.points);
+  for (std::size_t i = 0; i < n; ++i) {
+    bool has_moved = false;
+    double work = 0.0;
+    for (int c = 0; c < plan.dimensions; ++c) {
+      const std::size_t at = static_cast<std::size_t>(c) * n + i;
+      has_moved = has_moved || motion.x[at] != free_x_[at];
+      work += plan.mass[i] * sweeps_->change()[at] * (free_x_[at] - x_[at]) / h - sweeps_->work()[at];
+    }
+    if (has_moved) motion.energy.add(EnergyCause::Contact, work);
+  }
+}
+
+void PowerWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_moved, bool is_limited) {
   if (!has_power() && !has_potential_ && !has_air_) return;
   if (has_power() && is_moved) {
     is_power_current_ = false;
     // What contact stops has not moved with the velocity at which the forces acted: at rest, that which the weight causes in a substep.
     // Where contact pushes points, as out of a collider, their displacement is the larger one, but no motion in which forces do work.
-    EnergyLedger moved = displacement_work(plan, h, motion.x);
-    if (measures_dashpots_) work_[EnergyCause::Dashpots] = moved[EnergyCause::Dashpots] = dashpot_work(plan, h, x_, free_x_, motion.x);
-    for (const EnergyCause cause : by_power)
+    const EnergyLedger moved = displacement_work(plan, h, motion.x);
+    for (const EnergyCause cause : {EnergyCause::Forces, EnergyCause::Drag})
       if (std::abs(moved[cause]) < std::abs(work_[cause])) work_[cause] = moved[cause];
   }
-  if (measures_dashpots_ && sweeps_->has_swept()) work_[EnergyCause::Dashpots] = work_of_sweeps(plan, h, motion, is_moved);
+  if (measures_dashpots_) {
+    // the work of contact is that of its impulses, but the change of the energy where the strain limit has acted
+    const bool acts_after = is_moved && !is_limited;
+    if (sweeps_->has_swept())
+      work_[EnergyCause::Dashpots] = work_of_sweeps(plan, h, acts_after ? motion.x : free_x_);
+    else if (acts_after)
+      work_[EnergyCause::Dashpots] += part_after_contact_ * dashpot_work_after(plan, h, x_, free_x_, motion.x);
+  }
   if (has_air_) motion.energy.add(EnergyCause::Potentials, air_work(plan, x_, motion.x));
   if (has_potential_) add_potential_work(plan, motion, h);
   motion.energy += work_;
