@@ -121,12 +121,14 @@ void SurfaceDetection::measure(const SurfacePlan& plan, FeaturePair kind, std::s
     const auto [first, second] = pairs_[k].features[p];
     const bool touches = kind == FeaturePair::TwoEdges ? block_.is_at_end[i] == 0.0 || (plan.is_spring[first] | plan.is_spring[second]) != 0
                                                        : plan.owns(first, block_.weight[1][i], block_.weight[2][i], block_.weight[3][i]);
-    near_.push_back({.kind = kind,
-                     .touches = touches,
-                     .points = points,
-                     .pair = p,
-                     .contact = radius + plan.thickness_of(points),
-                     .closest = block_.closest(i)});
+    // in place: a copy would wait for all of its parts to be written
+    Near& near = near_.emplace_back();
+    near.kind = kind;
+    near.touches = touches;
+    near.points = points;
+    near.pair = p;
+    near.contact = radius + plan.thickness_of(points);
+    near.closest = block_.closest(i);
   }
 }
 
