@@ -74,7 +74,7 @@ print(hooke.load('two_masses').run(0.1, accuracy='off').hash, hooke.__version__)
     message(FATAL_ERROR "the Python module prints: ${output}")
   endif()
 endif()
-# The library of the packages: the example is built by find_package, the program of docs/embedding.md by pkg-config.
+# The library of the packages: the example is built by find_package, the program of docs/guide/cpp.md by pkg-config.
 set(usr ${place}/root/usr)
 need("configure" ${CMAKE_COMMAND} -S ${EXAMPLE} -B ${place}/example -DCMAKE_PREFIX_PATH=${usr})
 need("build" ${CMAKE_COMMAND} --build ${place}/example)

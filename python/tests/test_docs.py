@@ -1,9 +1,9 @@
-"""The examples of docs/python.md run."""
+"""The examples of docs/guide/python.md run."""
 
 import pathlib
 import re
 
-page = pathlib.Path(__file__).parents[2] / "docs" / "python.md"
+page = pathlib.Path(__file__).parents[2] / "docs" / "guide" / "python.md"
 
 
 def test_the_examples_of_the_page_run(tmp_path, monkeypatch):

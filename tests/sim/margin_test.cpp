@@ -1,4 +1,4 @@
-// The margin below the linear stability limit that nets far from equilibrium need. With HOOKE_PRINT set, the tables of docs/methods.md
+// The margin below the linear stability limit that nets far from equilibrium need. With HOOKE_PRINT set, the tables of docs/reference/methods.md
 // are printed, from more nets.
 #include <gtest/gtest.h>
 

@@ -118,11 +118,11 @@ Amplification amplification_from(std::complex<double> (*r)(std::complex<double>)
 double largest_stable_step(const Integrator& integrator, const Spectrum& spectrum);
 
 // The linear limit holds for small oscillations. Nets that rotate and stretch can gain energy at smaller steps; none of 120 random nets
-// started far from equilibrium did with steps shorter by this factor (docs/methods.md).
+// started far from equilibrium did with steps shorter by this factor (docs/reference/methods.md).
 inline constexpr int default_margin = 4;
 // Where springs pass through zero length (sim/forces/energy/energy.h), their direction reverses within a step, which no frequency
 // describes: of 2000 nets, in most of which they do, up to 79 gain more than 20 % of their energy in 3 s at the default margin, and up to 3
-// at this one (docs/methods.md).
+// at this one (docs/reference/methods.md).
 inline constexpr int collapse_margin = 16;
 // The factor by which the step should be below the linear limit in a run from this state.
 int recommended_margin(const System& system, const State& state);

@@ -1,4 +1,4 @@
-// Measures the answers of docs/questions.md and draws their charts into a folder: questions DIR. Exits with code 1 if a measurement
+// Measures the answers of docs/guide/questions.md and draws their charts into a folder: questions DIR. Exits with code 1 if a measurement
 // contradicts the page.
 #include <array>
 #include <cstdio>
