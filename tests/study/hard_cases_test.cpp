@@ -284,8 +284,8 @@ TEST(StabilityPage, HasTheCasesAndMethodsOfTheProgramAndNoUnexpectedResults) {
   ids.emplace_back(automatic_method().id);
   for (const HardCase& row : hard_cases()) {
     names.push_back(std::to_string(row.number) + " " + std::string(row.name));
-    descriptions.push_back("| " + std::to_string(row.number) + " | " + std::string(row.parameters) + " | " + std::string(row.criterion) + " | " +
-                           std::string(row.remark) + " |");
+    descriptions.push_back("| " + std::to_string(row.number) + " | " + std::string(row.parameters) + " | " + std::string(row.criterion) +
+                           " | " + std::string(row.remark) + " |");
   }
   EXPECT_EQ(methods, ids);
   EXPECT_EQ(rows, names);

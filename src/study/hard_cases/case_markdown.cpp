@@ -41,8 +41,8 @@ std::string format_cases(std::span<const CaseResult> results) {
   std::string table = "\n| case | scene | held if | remark |\n|---|---|---|---|\n";
   for (const auto& group : by_case(results)) {
     const HardCase& hard_case = *group[0].hard_case;
-    table += "| " + std::to_string(hard_case.number) + " | " + std::string(hard_case.parameters) + " | " + std::string(hard_case.criterion) + " | " +
-             std::string(hard_case.remark) + " |\n";
+    table += "| " + std::to_string(hard_case.number) + " | " + std::string(hard_case.parameters) + " | " +
+             std::string(hard_case.criterion) + " | " + std::string(hard_case.remark) + " |\n";
   }
   return table;
 }
