@@ -100,10 +100,10 @@ def check_links():
                 problem(page, f"{address}: there is no such file")
             elif anchor and target.suffix == ".md" and anchor not in anchors_of(target):
                 problem(page, f"{address}: there is no such heading")
-    # pages that sources, scripts and tests name
-    for folder in ("src", "tests", "scripts", "python", "cmake", "packaging", ".ci"):
+    # pages that sources, scripts, tests and the text of other pages name
+    for folder in ("src", "tests", "scripts", "python", "cmake", "packaging", ".ci", "docs"):
         for file in (root / folder).rglob("*"):
-            if not file.is_file() or file.suffix in (".png", ".hookelog", ".obj", ".pyc", ".webp") or "corpus" in file.parts or file == pathlib.Path(__file__):
+            if not file.is_file() or file.suffix in (".png", ".hookelog", ".obj", ".pyc", ".webp", ".svg") or "corpus" in file.parts or file == pathlib.Path(__file__):
                 continue
             for name in re.findall(r"docs/[\w./-]*\.(?:md|json|csv|ipynb|png|svg|webp)", file.read_text(errors="ignore")):
                 if not (root / name).exists():
