@@ -4,7 +4,7 @@ set -eu
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 cd "$folder"
-mkdir -p scripts docs build/fuzz src
+mkdir -p scripts docs/evidence build/fuzz src
 cp "$1" scripts/campaign
 cp "$(dirname "$1")/usage" scripts
 printf '#!/bin/sh\nexit 1\n' >scripts/fuzz
