@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The documentation: links, limits of length, keys, generated tables, and the commands that it shows.
+"""The documentation: links, limits of length, keys, labels, generated tables, and the commands that it shows.
 
     docs_test.py [--headless PROGRAM] [--make-manual PROGRAM]
 
@@ -7,6 +7,7 @@ Without --headless no command is run, without --make-manual no table is compared
 """
 
 import argparse
+import json
 import pathlib
 import re
 import shlex
@@ -140,6 +141,16 @@ def check_keys():
                 problem(page, f"{key}: no such key in docs/reference/keys.md")
 
 
+def check_labels():
+    """*Labels* of the guide are names of scenes, or start or end a text of the program."""
+    sources = "".join(file.read_text() for kind in ("*.cpp", "*.h", "*.inc") for file in (root / "src").rglob(kind))
+    scenes = {json.loads(file.read_text()).get("name") for file in (root / "assets/scenes").glob("*.json")}
+    for page in [root / "README.md", *sorted((docs / "guide").glob("*.md"))]:
+        for label in re.findall(r"(?<![*\w])\*([A-Z][^*\n?]{1,40})\*(?!\*)", page.read_text()):
+            if label not in scenes and f'"{label}' not in sources and f'{label}"' not in sources:
+                problem(page, f"{label}: no such label or scene")
+
+
 def check_tables(make_manual):
     with tempfile.TemporaryDirectory() as folder:
         for page in pages:
@@ -230,6 +241,7 @@ def main():
     check_links()
     check_lengths()
     check_keys()
+    check_labels()
     if arguments.make_manual:
         check_tables(arguments.make_manual.resolve())
     check_commands(arguments.headless and arguments.headless.resolve(), arguments.verbose)
