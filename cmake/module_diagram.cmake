@@ -1,10 +1,10 @@
-# Writes the module diagram of docs/architecture.md from src/modules.cmake:
+# Writes the module diagram of docs/development/architecture.md from src/modules.cmake:
 #   cmake -P cmake/module_diagram.cmake
 # With -DCHECK=ON before -P it changes nothing and fails if the page is out of date; a test uses this.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../src/modules.cmake)
 if(NOT PAGE)
-  set(PAGE ${CMAKE_CURRENT_LIST_DIR}/../docs/architecture.md)
+  set(PAGE ${CMAKE_CURRENT_LIST_DIR}/../docs/development/architecture.md)
 endif()
 
 # An arrow from each module to those that it uses, except arrows that are implied by others.

@@ -1,5 +1,5 @@
 # The modules of Hooke from the bottom up, and the modules that each may use. src/CMakeLists.txt builds a library for each module and
-# links it with those it uses, tests/layers.cmake checks the includes, and docs/architecture.md shows the table as a diagram.
+# links it with those it uses, tests/layers.cmake checks the includes, and docs/development/architecture.md shows the table as a diagram.
 # A module is the folder of its name; those of the physics are in sim.
 
 set(physics_modules model plan forces contact methods step control statics)

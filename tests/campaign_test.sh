@@ -4,13 +4,13 @@ set -eu
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 cd "$folder"
-mkdir -p scripts docs build/fuzz src
+mkdir -p scripts docs/evidence build/fuzz src
 cp "$1" scripts/campaign
 cp "$(dirname "$1")/usage" scripts
 printf '#!/bin/sh\nexit 1\n' >scripts/fuzz
 chmod +x scripts/campaign scripts/fuzz
-echo "check,cases,reached,findings,date,commit" >docs/reliability.csv
-printf '<!-- results -->\n<!-- end of results -->\n' >docs/reliability.md
+echo "check,cases,reached,findings,date,commit" >docs/evidence/reliability.csv
+printf '<!-- results -->\n<!-- end of results -->\n' >docs/evidence/reliability.md
 echo "stat::number_of_executed_units: 12345" >build/fuzz/scene.log
 git init -q .
 git add .
@@ -18,7 +18,7 @@ git -c user.name=test -c user.email=test@localhost commit -q -m start
 
 output=$(scripts/campaign 5 fuzz_scene 2>&1)
 case $output in *"fuzz_scene: could not run"*) ;; *) echo "not reported: $output" >&2 && exit 1 ;; esac
-if grep fuzz_scene docs/reliability.csv; then
+if grep fuzz_scene docs/evidence/reliability.csv; then
   echo "runs of an earlier log were counted" >&2
   exit 1
 fi
@@ -26,7 +26,7 @@ fi
 # those of a fuzzer that ran are counted
 printf '#!/bin/sh\necho "stat::number_of_executed_units: 7" >"build/fuzz/$2.log"\n' >scripts/fuzz
 scripts/campaign 5 fuzz_scene >/dev/null 2>&1
-grep -q '^fuzz_scene,1,7,0,' docs/reliability.csv
+grep -q '^fuzz_scene,1,7,0,' docs/evidence/reliability.csv
 
 # A wrong name or time is refused, before anything runs.
 for wrong in "5 fuzz_scenes" "5 R13" "soon" "-5 R1"; do
@@ -51,10 +51,10 @@ chmod +x programs/*
 PATH=$PWD/programs:$PATH
 echo '{"tests": [{"name": "a.First # GetParam() = 0x1", "command": ["a"]}, {"name": "b.Second", "command": ["lab_test"]}]}' >tests.json
 scripts/campaign 5 tests_tsan >/dev/null 2>&1
-grep -q '^tests_tsan,2,2,0,' docs/reliability.csv
+grep -q '^tests_tsan,2,2,0,' docs/evidence/reliability.csv
 echo '{"tests": [{"name": "a.Zeroth"}, {"name": "a.First # GetParam() = 0x2"}, {"name": "a.Fails"}, {"name": "b.Second"}]}' >tests.json
 scripts/campaign 5 tests_tsan >/dev/null 2>&1
-grep -q '^tests_tsan,4,3,1,' docs/reliability.csv
+grep -q '^tests_tsan,4,3,1,' docs/evidence/reliability.csv
 [ "$(cat runs)" = "run 0,0,0,2,1
 run 0,0,0,1,3" ]
 
@@ -71,4 +71,4 @@ printf 'scene,hash\na,2\n' >tests/golden/hashes.csv
 git add tests && git -c user.name=test -c user.email=test@localhost commit -q -m changed
 scripts/campaign 5 hashes_gcc_O3 >/dev/null 2>&1
 [ -s comparisons ]
-grep -q "^hashes_gcc_O3,[12],[12],0,$(date +%F)" docs/reliability.csv
+grep -q "^hashes_gcc_O3,[12],[12],0,$(date +%F)" docs/evidence/reliability.csv

@@ -1,5 +1,5 @@
 # Builds the Debian packages, checks them with lintian, runs their programs, and builds programs with their library:
-# cmake -DBUILD=FOLDER -DVERSION=VERSION -DEXAMPLE=FOLDER -DDOCS=FILE -DLIBDIR=PATH -P package_test.cmake
+# cmake -DBUILD=FOLDER -DVERSION=VERSION -DEXAMPLE=FOLDER -DLIBDIR=PATH -P package_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
 string(RANDOM LENGTH 12 name)
@@ -74,7 +74,7 @@ print(hooke.load('two_masses').run(0.1, accuracy='off').hash, hooke.__version__)
     message(FATAL_ERROR "the Python module prints: ${output}")
   endif()
 endif()
-# The library of the packages: the example is built by find_package, the program of docs/embedding.md by pkg-config.
+# The library of the packages: the example is built by find_package, the programs of README.md and docs/guide/cpp.md by pkg-config.
 set(usr ${place}/root/usr)
 need("configure" ${CMAKE_COMMAND} -S ${EXAMPLE} -B ${place}/example -DCMAKE_PREFIX_PATH=${usr})
 need("build" ${CMAKE_COMMAND} --build ${place}/example)
@@ -83,17 +83,19 @@ if(NOT output MATCHES "1.00 s: sag 0[.]14[0-9]+ m, energy [-0-9.]+ J, error [0-9
   message(FATAL_ERROR "the example prints: ${output}")
 endif()
 
-# the first code block of the page
-file(READ ${DOCS} page)
-string(REGEX MATCH "```cpp\n([^`]*)```" block "${page}")
-file(WRITE ${place}/program.cpp "${CMAKE_MATCH_1}")
+# the first program of both pages
 set(ENV{PKG_CONFIG_PATH} ${usr}/${LIBDIR}/pkgconfig)
-need("pkg-config" sh -c "c++ -std=c++20 -Wall -Werror program.cpp $(pkg-config --cflags --libs hooke) -o program")
 set(ENV{LD_LIBRARY_PATH} ${usr}/${LIBDIR})
-need("run" ${place}/program)
-if(NOT output MATCHES "^point 0 at [-0-9.e]+ [-0-9.e]+ [-0-9.e]+ m\n$")
-  message(FATAL_ERROR "the program of the page prints: ${output}")
-endif()
+foreach(page README.md docs/guide/cpp.md)
+  file(READ ${CMAKE_CURRENT_LIST_DIR}/../${page} text)
+  string(REGEX MATCH "```cpp\n([^`]*)```" block "${text}")
+  file(WRITE ${place}/program.cpp "${CMAKE_MATCH_1}")
+  need("pkg-config" sh -c "c++ -std=c++20 -Wall -Werror program.cpp $(pkg-config --cflags --libs hooke) -o program")
+  need("run" ${place}/program)
+  if(NOT output MATCHES "^point 0 (at [-0-9.e]+ [-0-9.e]+ [-0-9.e]+ m|is at a height of [-0-9.e]+ m)\n$")
+    message(FATAL_ERROR "the program of ${page} prints: ${output}")
+  endif()
+endforeach()
 
 # nothing but the interface is exported
 need("nm" nm -DC --defined-only --format=just-symbols ${usr}/${LIBDIR}/libhooke.so)

@@ -138,7 +138,7 @@ class Scene(Parameterized):
 
     @classmethod
     def from_json(cls, document: str, name: str = "scene") -> Scene:
-        """A scene from the text of a scene file; see docs/scene-format.md. `name` stands for the file in messages."""
+        """A scene from the text of a scene file; see docs/reference/scene-format.md. `name` stands for the file in messages."""
         return cls._of(_hooke.Scene.parse(text("document", document), text("name", name)))
 
     def to_json(self) -> str:
@@ -187,7 +187,7 @@ class Scene(Parameterized):
         self._add("colliders", {"type": type, **fields}, "add_collider")
 
     def add_force(self, force: str | Callable[[float, Array, Array], ArrayLike], **fields: Any) -> None:
-        """Adds a force of the table in docs/scene-format.md, such as "wind", or a function.
+        """Adds a force of the table in docs/reference/scene-format.md, such as "wind", or a function.
 
         force(time, positions, velocities) receives the time [s] and arrays of shape (points, 3) [m], [m/s], and returns the forces [N] in
         the same shape. It is called at every evaluation of the forces, at least twice per substep, which is slow: microseconds per call

@@ -1,9 +1,9 @@
-"""The examples of docs/python.md run."""
+"""The examples of README.md and docs/guide/python.md run."""
 
 import pathlib
 import re
 
-page = pathlib.Path(__file__).parents[2] / "docs" / "python.md"
+page = pathlib.Path(__file__).parents[2] / "docs" / "guide" / "python.md"
 
 
 def test_the_examples_of_the_page_run(tmp_path, monkeypatch):
@@ -20,3 +20,12 @@ def test_the_examples_of_the_page_run(tmp_path, monkeypatch):
     assert variables["run"].positions.shape == (7, 36, 3) and (tmp_path / "cloth.png").exists()
     exec(compile(blocks[1], page.name, "exec"), variables)
     assert not variables["scene"].run(0.05, accuracy="off").diverged
+
+
+def test_the_example_of_the_readme_runs(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    block = re.search(r"```python\n(.*?)```", (page.parents[2] / "README.md").read_text(), re.DOTALL)
+    assert block is not None
+    variables: dict[str, object] = {}
+    exec(compile(block[1].replace("seconds=1", "seconds=0.05"), "README.md", "exec"), variables)
+    assert (tmp_path / "cloth.png").exists()

@@ -1,4 +1,4 @@
-"""The notebooks of docs/notebooks run without errors, cell by cell as in Jupyter, in an empty folder."""
+"""The notebooks of docs/guide/notebooks run without errors, cell by cell as in Jupyter, in an empty folder."""
 
 import ast
 import json
@@ -6,7 +6,7 @@ import pathlib
 
 import pytest
 
-notebooks = sorted((pathlib.Path(__file__).parents[2] / "docs" / "notebooks").glob("*.ipynb"))
+notebooks = sorted((pathlib.Path(__file__).parents[2] / "docs" / "guide" / "notebooks").glob("*.ipynb"))
 
 
 def test_there_are_three_notebooks():

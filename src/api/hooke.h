@@ -53,7 +53,7 @@ class HOOKE_PUBLIC Scene {
   Scene();
   // A shipped scene by its name, or a file: .json, .obj, .xsp.
   static Scene load(const std::string& name);
-  // The text of a scene file (docs/scene-format.md); `name` stands for the file in messages.
+  // The text of a scene file (docs/reference/scene-format.md); `name` stands for the file in messages.
   static Scene parse(std::string_view json, const std::string& name = "scene");
   Scene(const Scene&);
   Scene(Scene&&) noexcept;

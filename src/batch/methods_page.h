@@ -1,4 +1,4 @@
-// docs/methods.md: every method, from its row in the table and its benchmark results.
+// docs/reference/methods.md: every method, from its row in the table and its benchmark results.
 #pragma once
 
 #include <string>

@@ -98,16 +98,18 @@ constexpr Block blocks[] = {{"parameters", parameter_table}, {"shapes", shape_ta
 
 }  // namespace
 
+std::string with_table(std::string page, std::string_view name, std::string_view table) {
+  const std::string begin_line = "<!-- table " + std::string(name) + " -->\n";
+  const std::size_t begin = page.find(begin_line);
+  if (begin == std::string::npos) return page;
+  const std::size_t first = begin + begin_line.size(), end = page.find("<!-- end -->\n", first);
+  if (end != std::string::npos) page.replace(first, end - first, table);
+  return page;
+}
+
 std::string with_doc_tables(std::string_view page) {
-  constexpr std::string_view end_line = "<!-- end -->\n";
   std::string text(page);
-  for (const Block& block : blocks) {
-    const std::string begin_line = "<!-- table " + std::string(block.name) + " -->\n";
-    const std::size_t begin = text.find(begin_line);
-    if (begin == std::string::npos) continue;
-    const std::size_t first = begin + begin_line.size(), end = text.find(end_line, first);
-    if (end != std::string::npos) text.replace(first, end - first, block.text());
-  }
+  for (const Block& block : blocks) text = with_table(text, block.name, block.text());
   return text;
 }
 

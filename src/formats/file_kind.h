@@ -1,5 +1,5 @@
 // The table of file formats: what Hooke reads, writes and exports. From a row follow the files that the open dialog lists, the
-// formats of `hooke convert`, the export dialog and the table in docs/file-formats.md.
+// formats of `hooke convert`, the export dialog and the table in docs/reference/file-formats.md.
 #pragma once
 
 #include <filesystem>

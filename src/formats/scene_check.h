@@ -1,4 +1,4 @@
-// The check of a scene: criteria for its motion and the methods to test, given in its file (docs/scene-format.md).
+// The check of a scene: criteria for its motion and the methods to test, given in its file (docs/reference/scene-format.md).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Scenes as JSON files (docs/scene-format.md).
+// Scenes as JSON files (docs/reference/scene-format.md).
 #pragma once
 
 #include <filesystem>

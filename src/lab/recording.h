@@ -1,5 +1,5 @@
 // A recording: the edits of a session and a fingerprint of every frame, sufficient to replay it and to locate differences.
-// A text file with one item per line (docs/recording-format.md).
+// A text file with one item per line (docs/reference/recording-format.md).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The table of parameters: sliders, scene fields, `--set NAME=VALUE`, and entries of the manual and of docs/scene-format.md follow from its
-// rows.
+// The table of parameters: sliders, scene fields, `--set NAME=VALUE`, and entries of the manual and of docs/reference/scene-format.md
+// follow from its rows.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
 // Shapes: cloths, ropes, sheets, bridges and others that are generated from a few parameters. The generators of a scene file and the Add
-// menu follow from this table: a row defines the type in files, its fields there and on the panel, and its entry in docs/scene-format.md.
+// menu follow from this table: a row defines the type in files, its fields there and on the panel, and its entry in
+// docs/reference/scene-format.md.
 #pragma once
 
 #include <array>

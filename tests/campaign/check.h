@@ -1,5 +1,5 @@
-// The checks of the reliability campaign (docs/reliability.md). Each check tries one case, which is determined by its number, so that a
-// campaign can continue where the previous one ended and a failure can be reproduced.
+// The checks of the reliability campaign (docs/evidence/reliability.md). Each check tries one case, which is determined by its number, so
+// that a campaign can continue where the previous one ended and a failure can be reproduced.
 #pragma once
 
 #include <cstdint>

@@ -280,7 +280,7 @@ TEST(Bench, EditsAreTimedByKindAndSize) {
 
 TEST(Bench, ThatCannotWriteItsChartsFails) {
   const ScratchFolder scratch;
-  std::filesystem::copy(DOCS_FOLDER "/accuracy.json", scratch.folder / "accuracy.json");
+  std::filesystem::copy(DOCS_FOLDER "/evidence/accuracy.json", scratch.folder / "accuracy.json");
   const auto words = [&](const char* out) {
     return std::vector<std::string>{"bench", "--report", scratch.folder / "accuracy.json", "--quiet", "--out", scratch.folder / out};
   };
@@ -310,7 +310,7 @@ TEST(Bench, RefusesInvalidRequests) {
 // be wrong for any reason.
 TEST(Bench, SaysWhatTheReferenceCannotTell) {
   const ScratchFolder scratch;
-  ASSERT_EQ(run(scratch.folder, {"--report", DOCS_FOLDER "/accuracy.json"}), 0);
+  ASSERT_EQ(run(scratch.folder, {"--report", DOCS_FOLDER "/evidence/accuracy.json"}), 0);
   const std::string report = contents(scratch.folder / "report");
   EXPECT_NE(report.find("half the precision changes nothing. "), std::string::npos) << report;
   EXPECT_NE(report.find("1e-8 .. 1e-10   not measurable: the reference is uncertain by 2e-08\n"), std::string::npos) << report;
@@ -320,8 +320,8 @@ TEST(Bench, SaysWhatTheReferenceCannotTell) {
 // The page on methods equals the table and the results word for word; scripts/accuracy --report regenerates it.
 TEST(Bench, TheDocumentedMethodsAreThoseOfTheTable) {
   const ScratchFolder scratch;
-  ASSERT_EQ(Process(scratch.folder, {"--report", DOCS_FOLDER "/accuracy.json", "--quiet"}).wait(), 0);
-  EXPECT_EQ(contents(scratch.folder / "methods.md"), contents(DOCS_FOLDER "/methods.md"));
+  ASSERT_EQ(Process(scratch.folder, {"--report", DOCS_FOLDER "/evidence/accuracy.json", "--quiet"}).wait(), 0);
+  EXPECT_EQ(contents(scratch.folder / "methods.md"), contents(DOCS_FOLDER "/reference/methods.md"));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(BadForces, ADampingTimeOfBendingThatDrownsMassesIsRefused) {
   for (const char* valid : {"0", "1e-200", "1e6"}) EXPECT_EQ(refusal(valid), "") << valid;
 }
 
-// As docs/scene-format.md says, of every number of every force.
+// As docs/reference/scene-format.md says, of every number of every force.
 TEST(BadForces, AFileMayExceedTheRangesOfTheSlidersExceptAMinimumOfZeroOrMore) {
   int refused = 0;
   for (const ForceTerm& term : force_terms())

@@ -316,7 +316,7 @@ TEST(ShippedScenes, TheMeasuredRopeHasItsPublishedFigures) {
   }
 }
 
-std::string scene_format_page() { return contents(DOCS_FOLDER "/scene-format.md"); }
+std::string scene_format_page() { return contents(DOCS_FOLDER "/reference/scene-format.md"); }
 
 TEST(SceneFormatPage, ItsExampleLoadsWithoutWarnings) {
   const std::string page = scene_format_page();

@@ -70,7 +70,7 @@ TEST(Texture, APathWithDotsThatStaysInTheFolderIsRead) {
   }
 }
 
-// The rule of docs/scene-format.md: a name and the ".." after it cancel, whether or not there is such a folder.
+// The rule of docs/reference/scene-format.md: a name and the ".." after it cancel, whether or not there is such a folder.
 TEST(Texture, APathIsTakenLiterallyAndMustNotLeaveTheFolderOnItsWay) {
   const Folder folder;
   write_png(Image{1, 1, {1, 2, 3}}, folder.folder / "ok.png");

@@ -1,5 +1,5 @@
 // Bending against the theory of plates: energies of cylinders, the heavy elastica, beams and sheets on supports. With HOOKE_PRINT set, the
-// tables of docs/bending.md are printed.
+// tables of docs/reference/bending.md are printed.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>

@@ -65,8 +65,8 @@ FrameCost cost_after(TestSim sim, int substeps, int skipped, int frames) {
   return cost;
 }
 
-// In flight little is near anything else. Of the CPU time, on the machine of docs/accuracy.md, a substep of the pile takes 33 times, one of
-// the folded sheet 13 times that of the same things in flight.
+// In flight little is near anything else. Of the CPU time, on the machine of docs/evidence/accuracy.md, a substep of the pile takes 33
+// times, one of the folded sheet 13 times that of the same things in flight.
 TEST(CostModel, CountsTheWorkOfContact) {
   for (const auto& [name, make, substeps, settled, measured] :
        {std::tuple("balls", &balls_over_bin, 10, 240, 33.0), {"sheet", &sheet_over_floor, 60, 40, 13.0}}) {

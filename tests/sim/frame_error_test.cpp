@@ -1,4 +1,4 @@
-// The estimated error of a frame against its true error. With HOOKE_PRINT set, the table of docs/accuracy.md is printed.
+// The estimated error of a frame against its true error. With HOOKE_PRINT set, the table of docs/evidence/accuracy.md is printed.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// The margin below the linear stability limit that nets far from equilibrium need. With HOOKE_PRINT set, the tables of docs/methods.md
-// are printed, from more nets.
+// The margin below the linear stability limit that nets far from equilibrium need. With HOOKE_PRINT set, the tables of
+// docs/reference/methods.md are printed, from more nets.
 #include <gtest/gtest.h>
 
 #include <cmath>

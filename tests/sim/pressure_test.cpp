@@ -1,4 +1,4 @@
-// The pressure of gas against closed forms: gradients, equilibria, energy. With HOOKE_PRINT set, the figures of docs/pressure.md
+// The pressure of gas against closed forms: gradients, equilibria, energy. With HOOKE_PRINT set, the figures of docs/reference/pressure.md
 // are printed.
 #include <gtest/gtest.h>
 

@@ -71,7 +71,7 @@ TEST(SurfaceThreads, GiveUpWhereOneDoes) {
   EXPECT_TRUE(expect_same_folds(sim, 1, 1).has_failed);
 }
 
-// The scenes of docs/speed.md, with k = 1000 N/m: with HOOKE_PRINT for a second, otherwise for some frames.
+// Scenes with k = 1000 N/m: with HOOKE_PRINT for a second, otherwise for some frames.
 TEST(SurfaceThreads, FoldClothsToTheSameBits) {
   const bool prints = std::getenv("HOOKE_PRINT") != nullptr;
   struct Case {

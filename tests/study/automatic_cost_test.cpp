@@ -1,5 +1,5 @@
 // What the method `auto` costs, with the frames that it computes to choose, relative to the cheapest fixed method and step that reach the
-// same error: those of docs/accuracy.json, known with hindsight.
+// same error: those of docs/evidence/accuracy.json, known with hindsight.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ Best with_hindsight(const ProblemRecord& record, const Plan& plan, double error)
 }
 
 TEST(AutomaticCost, IsCloseToThatOfTheBestFixedMethod) {
-  const Results results = parse_results(read_file(DOCS_FOLDER "/accuracy.json"), "docs/accuracy.json");
+  const Results results = parse_results(read_file(DOCS_FOLDER "/evidence/accuracy.json"), "docs/evidence/accuracy.json");
   const char* only = std::getenv("HOOKE_PROBLEM");
   std::vector<double> ratios;
   for (const ProblemRecord& record : results.problems) {

@@ -199,7 +199,8 @@ TEST(RunMonitor, FindsTheSameRiseInALargeNetAsFromStatesThatAreKept) {
   }
 }
 
-// Nets without dissipation, stretched by up to 30 %, at a quarter of the limit. With HOOKE_PRINT set, the figures of docs/accuracy.md.
+// Nets without dissipation, stretched by up to 30 %, at a quarter of the limit. With HOOKE_PRINT set, the figures of
+// docs/development/accuracy.md.
 TEST(RunMonitor, RarelyWarnsAboutNetsAtTheRecommendedStep) {
   const bool prints = std::getenv("HOOKE_PRINT") != nullptr;
   const std::uint64_t nets = prints ? 2000 : 60;

@@ -12,7 +12,7 @@ namespace {
 bool update_tables(const char* file) {
   std::ostringstream page;
   page << std::ifstream(file).rdbuf();
-  const std::string text = hooke::with_doc_tables(page.str());
+  const std::string text = hooke::with_manual_tables(hooke::with_doc_tables(page.str()));
   return static_cast<bool>(std::ofstream(file) << text << std::flush);
 }
 

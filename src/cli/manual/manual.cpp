@@ -4,6 +4,7 @@
 
 #include "base/build_info.h"
 #include "cli/command_line.h"
+#include "formats/doc_tables.h"
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
@@ -100,7 +101,46 @@ std::string names_of_options(const CLI::App& app) {
   return joined(names);
 }
 
+// ---- tables of the documentation
+
+// Text in a cell of a Markdown table.
+std::string cell(std::string_view text) {
+  std::string safe;
+  for (const char c : text) safe += c == '|' ? "\\|" : std::string(1, c);
+  return safe;
+}
+
+std::string key_table() {
+  std::string table = "| group | key | what it does |\n|---|---|---|\n";
+  for (const Shortcut& shortcut : shortcuts())
+    table += "| " + std::string(shortcut.group) + " | **" + cell(key_text(shortcut)) + "** | " + cell(shortcut.text) + " |\n";
+  for (const MouseHint& hint : mouse_hints()) table += "| Mouse | " + cell(hint.gesture) + " | " + cell(hint.text) + " |\n";
+  return table;
+}
+
+std::string option_table(const CLI::App& command) {
+  std::string table = "| option | what it does |\n|---|---|\n";
+  for (const CLI::Option* option : command.get_options())
+    if (!is_general(*option)) table += "| `" + cell(term_of(*option)) + "` | " + cell(option->get_description()) + " |\n";
+  return table;
+}
+
+std::string parameter_table() {
+  std::string table = "| name | unit | meaning |\n|---|---|---|\n";
+  for (const Parameter& row : parameters())
+    table += "| `" + std::string(row.name) + "` | " + std::string(row.unit) + " | " + cell(row.description) + " |\n";
+  return table;
+}
+
 }  // namespace
+
+std::string with_manual_tables(std::string_view page) {
+  CLI::App app;
+  std::string text = with_table(std::string(page), "keys", key_table());
+  text = with_table(text, "set", parameter_table());
+  for (const auto& [command, work] : declare_command_line(app)) text = with_table(text, command->get_name(), option_table(*command));
+  return text;
+}
 
 std::string manual_page() {
   CLI::App app;

@@ -1,5 +1,5 @@
 // Scenes of XSpringies 1.x (.xsp). The conversion preserves the motion: one pixel is one centimeter, so that lengths, velocities and
-// gravity are scaled by 0.01, and stiffness, damping, mass and drag are unchanged (docs/file-formats.md).
+// gravity are scaled by 0.01, and stiffness, damping, mass and drag are unchanged (docs/reference/file-formats.md).
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// The cost of stepping, from counts of work. The figures were fitted to measurements on one machine (docs/accuracy.md) and are the same on
-// every other, so that choices which follow from them are too; only their ratios matter.
+// The cost of stepping, from counts of work. The figures were fitted to measurements on one machine (docs/evidence/accuracy.md) and are the
+// same on every other, so that choices which follow from them are too; only their ratios matter.
 #pragma once
 
 #include "sim/forces/motion.h"

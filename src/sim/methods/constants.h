@@ -8,11 +8,11 @@
 namespace hooke {
 
 // [1], by which the step should be below the linear limit. The limit holds for small oscillations. Nets that rotate and stretch can gain
-// energy at smaller steps; none of 120 random nets started far from equilibrium did with steps shorter by this factor (docs/methods.md).
+// energy at smaller steps; none of 120 random nets started far from equilibrium did with steps shorter by this factor (docs/reference/methods.md).
 inline constexpr int default_margin = 4;
 // [1], the same where springs pass through zero length (sim/forces/energy/energy.h): their direction reverses within a step, which no
 // frequency describes. Of 2000 nets, in most of which they do, up to 79 gain more than 20 % of their energy in 3 s at the default margin,
-// and up to 3 at this one (docs/methods.md).
+// and up to 3 at this one (docs/reference/methods.md).
 inline constexpr int collapse_margin = 16;
 
 // [1], by which eigenvalues may exceed the unit circle by rounding.

@@ -24,7 +24,7 @@ struct Origin {
   std::string command, date, machine;
 };
 
-// docs/stability.md. Times occur only in the tables of the cases themselves.
+// The tables of docs/evidence/stability.md: the result of each method in each case, and what the cases are.
 std::string format_markdown(std::span<const CaseResult> results, const Origin& origin);
 
 }  // namespace hooke
