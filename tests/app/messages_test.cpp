@@ -58,7 +58,7 @@ TEST(Messages, AreKeptInALog) {
 
 TEST(Tools, ThatDoNothingSayWhy) {
   GuiFixture gui(hanging());
-  const glm::dvec2 empty = gui.seen({-0.3, -0.2, 0.0});
+  const glm::dvec2 empty = gui.seen({0.02, 0.15, 0.0});
   for (const auto& [key, words] :
        {std::pair{'N', "no point here"}, {'E', "nothing here to delete"}, {'D', "nothing here to drag"}, {'X', "No spring was crossed"}}) {
     gui.key(letter(key));
@@ -71,15 +71,15 @@ TEST(Tools, ThatDoNothingSayWhy) {
 TEST(AttachTool, AddsThePointsThatAreNotThere) {
   GuiFixture gui(hanging());
   gui.key(letter('T'));
-  gui.click(gui.seen({-0.3, -0.2, 0.0}));
+  gui.click(gui.seen({0.05, 0.15, 0.0}));
   EXPECT_EQ(gui.system().point_count(), 4);
   EXPECT_EQ(gui.system().spring_count(), 2);
-  gui.click(gui.seen({-0.1, -0.3, 0.0}));
+  gui.click(gui.seen({0.4, 0.1, 0.0}));
   EXPECT_EQ(gui.system().point_count(), 5);
   EXPECT_EQ(gui.system().spring_count(), 3);
   gui.key(Key::Escape);
   // a drag from empty space to a point
-  gui.drag(gui.seen({-0.3, 0.3, 0.0}), gui.seen({0.2, 0.0, 0.0}));
+  gui.drag(gui.seen({0.25, 0.45, 0.0}), gui.seen({0.2, 0.0, 0.0}));
   EXPECT_EQ(gui.system().point_count(), 6);
   EXPECT_EQ(gui.system().spring_count(), 4);
 }

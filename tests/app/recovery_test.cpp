@@ -29,10 +29,11 @@ TEST(Recovery, OffersTheAutosaveOfAKilledRunBitForBit) {
   {
     GuiFixture gui = fixture.open();
     gui.unnail(0);
+    // of the start, as in a file, whatever the run does
+    state = gui.status().snapshot->state;
     gui.key(Key::Period);
     ASSERT_TRUE(gui.wait_until([&] { return copies_in(fixture.home) == 1; }));
     // without a regular exit, as if it were killed
-    state = gui.status().snapshot->state;
   }
   GuiFixture gui({}, {}, fixture.home);
   ASSERT_EQ(open_dialog(gui), Dialog::Kind::Recovery);

@@ -67,7 +67,7 @@ Judgement judge(const Accuracy& accuracy) {
         *accuracy.frame.value / accuracy.size, of_frame,
         "error of a frame " + length_text(*accuracy.frame.value) + ", " + percent(*accuracy.frame.value / accuracy.size) + " of the size",
         "large frame error");
-  if (accuracy.accumulated.value && is_large_error(accuracy, *accuracy.accumulated.value)) {
+  if (accuracy.accumulated.value && accuracy.motion > 0.0 && is_large_error(accuracy, *accuracy.accumulated.value)) {
     const double error = *accuracy.accumulated.value, part = error / accuracy.motion;
     worst.add(part, of_accumulated, "accumulated error " + length_text(error) + ", " + part_of_motion_text(part),
               "error " + part_of_motion_text(part));

@@ -23,7 +23,8 @@ std::string time_of_day() {
 // The texts that banners show stay in the log when they are dismissed.
 void log_banners(const PanelInput& input, Panels& panels) {
   std::string shown;
-  for (const std::string* text : {&input.status.diagnosis.message, &panels.file_notice, &panels.file_warnings}) {
+  const Panels& constant = panels;
+  for (const std::string* text : {&input.status.diagnosis.message, &constant.file_notice, &constant.file_warnings}) {
     if (text->empty()) continue;
     if (panels.messages.banners.find(*text) == std::string::npos) panels.messages.log(*text);
     shown += *text + '\n';
