@@ -9,10 +9,10 @@
 namespace hooke {
 namespace {
 
-// In ten long frames.
+// In long frames.
 void wait(GuiFixture& gui, double seconds) {
-  const float frame = std::exchange(ImGui::GetIO().DeltaTime, static_cast<float>(0.1 * seconds));
-  gui.frames(10);
+  const float frame = std::exchange(ImGui::GetIO().DeltaTime, static_cast<float>(0.025 * seconds));
+  gui.frames(40);
   ImGui::GetIO().DeltaTime = frame;
 }
 

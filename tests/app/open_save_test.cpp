@@ -9,6 +9,7 @@
 #include "app/document/files.h"
 #include "draw/view.h"
 #include "formats/scene_file.h"
+#include "scene/parameters.h"
 #include "support/gui_fixture.h"
 #include "support/hanging_scene.h"
 #include "support/scratch_folder.h"
@@ -57,13 +58,13 @@ TEST(Documents, ContainTheStartAlsoWhenSavedDuringARun) {
   GuiFixture gui(start, scratch.folder / "net.json");
   for (int frame = 0; frame < 8; ++frame) gui.key(Key::Period);
   const State run = gui.status().snapshot->state;
-  gui.app().handle(Request(Edit{SetNailed{{{gui.system().points()[1].id, false}}}}));
+  gui.app().handle(Request(Edit{SetParameter{find_parameter("stiffness"), 200.0}}));
   gui.key(letter('S'), control);
   EXPECT_NE(gui.text().find("the start of the scene, not its state at t = 0.1333 s"), std::string::npos) << gui.text();
   const Scene saved = load_scene(scratch.folder / "net.json").scene;
   EXPECT_EQ(saved.state.time, 0.0);
   EXPECT_EQ(saved.state.position, start.state.position);
-  EXPECT_FALSE(saved.system.points()[1].nailed);  // an edit of the document
+  EXPECT_EQ(saved.system.springs()[0].stiffness, 200.0);
   EXPECT_EQ(gui.app().title(), "Hooke - net");
   EXPECT_EQ(gui.status().snapshot->state.position, run.position);
 
@@ -89,9 +90,9 @@ TEST(Documents, ThePresentStateDoesNotReplaceTheFileOfTheScene) {
   for (int frame = 0; frame < 8; ++frame) gui.key(Key::Period);
   gui.app().handle(Request(Action::SavePresent));
   gui.frames(2);
-  gui.app().panels().dialog.typed = (scratch.folder / "net.json").string();
-  gui.frames(1);
-  gui.key(Key::Enter);
+  gui.app().panels().dialog = {};
+  gui.app().handle(Request(SaveFile{scratch.folder / "net.json"}));
+  gui.frames(2);
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
   EXPECT_EQ(load_scene(scratch.folder / "net.json").scene.state.time, 0.0);
 }
