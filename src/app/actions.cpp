@@ -81,7 +81,7 @@ void App::tune(const Tuning& tuning, TunedBy keys, bool repeated) {
   if (!continues) ++last_gesture_;
   tuned_ = {keys, last_gesture_, now};
   for (const Command& command : tuning.commands) lab_.submit(command, last_gesture_);
-  panels_.show_toast(tuning.message);
+  panels_.show_value(tuning.message);
 }
 
 void App::start_placement(const StartPlacement& start) {
@@ -89,7 +89,10 @@ void App::start_placement(const StartPlacement& start) {
     lab_.submit(SetParameter{&dimensions_parameter, 1.0});
     settle();
   }
-  placer_.start(start.shape);
+  if (start.collider != nullptr)
+    placer_.start(*start.collider);
+  else
+    placer_.start(start.shape);
 }
 
 void App::set_start() {
@@ -99,7 +102,7 @@ void App::set_start() {
 
 // Cancels the innermost state: an interaction of the tool, the selection, the tool.
 void App::cancel() {
-  panels_.toast.clear();
+  panels_.messages.toast.clear();
   if (tool_.cancel()) return;
   if (!selection_.empty())
     selection_ = {};
@@ -167,6 +170,16 @@ void App::show_or_hide_plots() {
   if (lay_out(width, height, tool_context_.scale, {.plots = true}).plots.height == 0.0)
     panels_.show_toast("The window is not high enough for plots");
   if (status().timeline.traces->traces.empty()) lab_.submit(Watch{first_plots(tool_context_.system())});
+}
+
+void App::show_messages() {
+  bool& is_shown = panels_.messages.is_shown;
+  if (is_shown) {
+    is_shown = false;
+    return;
+  }
+  panels_.show_at_left(&is_shown);
+  ghost_runs_.set({}, status(), lab_);
 }
 
 // The surface is shown, and without strain colors, so that the texture is visible.

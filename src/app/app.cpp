@@ -86,6 +86,7 @@ void App::build_frame(const FrameStatistics& frame_statistics) {
   remedy_search_.follow(status(), divergence && panels_.dismissed != divergence->time);
   const std::size_t gas_releases = status().run.gas_releases;
   if (gas_releases > std::exchange(gas_releases_, gas_releases)) panels_.show_toast("A tear released the gas of a surface");
+  if (const std::string notice = std::exchange(tool_context_.notice, {}); !notice.empty()) panels_.show_toast(notice);
   const auto history = std::exchange(history_, status().history.list);
   if (history && history != history_)
     if (const std::string moved = history_move(*history, *history_); !moved.empty()) panels_.show_toast(moved);
@@ -123,6 +124,7 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
           .folder = panels_.placement.is_mesh ? document_.start_folder() : std::filesystem::path(),
           .frames_per_second = frame_statistics.frames_per_second,
           .draw_ms = frame_statistics.draw_ms,
+          .waiting_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - tool_context_.frame_seen).count(),
           .film_seconds = captures_.film_seconds(),
           .rubber_band = tool_.rubber_band(layout_.scene),
           .stroke = tool_.stroke(),
@@ -134,7 +136,7 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
           .has_desktop_dialog = document_.has_system_dialog(),
           .camera = tool_context_.camera,
           .forecast = &forecaster_.newest(),
-          .cheaper = method_advisor_.newest(),
+          .advice = method_advisor_.newest(),
           .remedy = remedy_search_.status(),
           .comparison = comparison_.status(),
           .result_check = result_check_.status(),
@@ -197,7 +199,7 @@ ViewOptions App::view_options() const {
 bool App::is_idle() const {
   return !file_task_.is_running() && !exporter_.is_running() && !captures_.is_busy() && !remedy_search_.is_running() &&
          !comparison_.is_running() && !result_check_.is_running() && !stretch_.is_running() && !status().run.running &&
-         panels_.toast.empty() && !tool_.is_pressed() && !camera_control_.is_dragging() && !camera_control_.is_flying();
+         panels_.messages.toast.empty() && !tool_.is_pressed() && !camera_control_.is_dragging() && !camera_control_.is_flying();
 }
 
 void App::finish() {

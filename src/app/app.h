@@ -99,6 +99,7 @@ class App {
   void cancel();
   void open_search();
   void show_or_hide_plots();
+  void show_messages();
   void choose_texture(const std::string& typed);
   void show(const Scene& scene);
   void take_switches(const ViewSettings& view);

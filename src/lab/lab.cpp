@@ -87,6 +87,7 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   }
 
   const bool was_in_progress = frame_in_progress_;
+  const Settings settings = scene_.settings;
   if (const auto* set = std::get_if<SetForces>(&command)) start_.record_leaks(scene_.system.forces, set->forces);
   if (std::holds_alternative<GoToState>(command) || std::holds_alternative<Replace>(command)) keep_start();
   const History::Of of = known.value_or(changed_by(command));
@@ -103,13 +104,8 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   else
     record_edit_energy(scene_.system, effect.invalidates_frame() ? energy_.total() - before : 0.0, scene_.state);
   record_edit(command);
-  // whether the edit concerns the points, not only parameters
-  const bool has_new_points = effect.structure || effect.motion;
-  if (has_new_points)
-    meter_.restart();
-  else
-    meter_.note_edit();
-  if (has_new_points || is_grab(command)) divergence_.reset();
+  pass_edit_to_meter(effect, settings);
+  if (effect.structure || effect.motion || is_grab(command)) resolve_divergence();
   check_divergence();
   if (is_grab(command)) grab_gesture_ = gesture;
   // a drag is one step, and its end is not a separate one
@@ -162,7 +158,13 @@ History::Of Lab::changed_by(const Command& command) const {
 void Lab::check_divergence() {
   if (!divergence_) return;
   const bool is_stable = scene_.settings.substep() <= StepLimits(plan_.spectrum).stable_step(*scene_.settings.integrator);
-  if (is_stable && was_unstable_) divergence_.reset();
+  if (is_stable && was_unstable_) resolve_divergence();
+}
+
+// What is measured of the run that failed says nothing about the one that follows.
+void Lab::resolve_divergence() {
+  if (divergence_) meter_.restart();
+  divergence_.reset();
 }
 
 // Edits that discard every frame in progress would stop the clock: after one discarded frame, edits wait until the next is finished.
@@ -315,8 +317,9 @@ Energy Lab::energy_after_frame() const {
 }
 
 bool Lab::step_frame() {
-  begin_frame();
+  // `auto` computes frames when it chooses the method, at the beginning
   const auto start = Clock::now();
+  begin_frame();
   try {
     while (!frame_.done()) {
       frame_.substep(plan_);
@@ -346,8 +349,8 @@ void Lab::advance(double real_seconds, const std::function<bool()>& should_conti
     frame_pacer_.accumulate(real_seconds, scene_.settings.speed);
     long stepped = 0;
     while (running_ && in_time && (frame_in_progress_ || run_to_ || frame_pacer_.has_frame_due(frame))) {
-      if (!frame_in_progress_) begin_frame();
       const auto start = Clock::now();
+      if (!frame_in_progress_) begin_frame();
       while (!frame_.done() && in_time) {
         frame_.substep(plan_);
         // without idle time, a frame is repeated beside the ones that follow

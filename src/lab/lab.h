@@ -119,6 +119,8 @@ class Lab {
   const std::shared_ptr<const Status>& status() const { return status_; }
   void publish();
   const Scene& scene() const { return scene_; }
+  // The scene as GoToStart would leave it; as it is now if no start is kept.
+  Scene scene_at_start();
 
   // The scene compiled for stepping, as of the last frame or edit.
   const Plan& plan() const { return plan_; }
@@ -140,6 +142,7 @@ class Lab {
  private:
   void apply_queue();
   void check_divergence();
+  void resolve_divergence();
   void handle(const Control& control, Gesture gesture);
   // `name`: in the history; without one the command's own.
   void edit(const Command& command, Gesture gesture, const std::string& name = {}, std::optional<History::Of> known = {});
@@ -160,6 +163,7 @@ class Lab {
   bool finish_frame();
   bool step_frame();
   void meter_frame(double energy);
+  void pass_edit_to_meter(const Effect& effect, Settings settings);
   Energy energy_after_frame() const;
   std::optional<Insert> tear();
   void record_tear(Insert pieces);

@@ -21,8 +21,19 @@ void Lab::meter_frame(double energy) {
   if (is_torn) meter_.note_edit();
 }
 
+// `settings`: those before the edit. The speed of the clock affects no frame.
+void Lab::pass_edit_to_meter(const Effect& effect, Settings settings) {
+  settings.speed = scene_.settings.speed;
+  if (effect.structure || effect.motion)
+    meter_.restart();
+  else if (effect.values || settings != scene_.settings)
+    meter_.note_edit();
+}
+
 Accuracy Lab::accuracy() const {
   Accuracy accuracy = meter_.accuracy(settings_used(scene_.settings, scene_.state));
+  accuracy.time = scene_.state.time;
+  if (const auto& choice = scene_.state.memory.choice; choice && is_automatic(scene_.settings)) accuracy.estimated = choice->error;
   if (is_automatic(scene_.settings) && accuracy.half_error_substeps > 0)
     accuracy.half_error_tolerance = 0.5 * scene_.settings.tolerance.value_or(default_automatic_tolerance);
   return accuracy;

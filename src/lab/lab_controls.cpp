@@ -66,6 +66,12 @@ void Lab::keep_start() {
   start_is_edited_ = false;
 }
 
+Scene Lab::scene_at_start() {
+  if (!start_.scene()) return scene_;
+  keep_start();
+  return start_.return_from(scene_);
+}
+
 void Lab::go_to_timeline_index(std::size_t moment, Gesture gesture) {
   running_ = false;
   run_to_.reset();
@@ -81,11 +87,12 @@ void Lab::handle(const Control& control, Gesture gesture) {
     keep_start();
     drop_frame();
     const double before = energy_.total();
+    const Settings settings = scene_.settings;
     const Effect effect = history_.go_to(done, scene_);
     update_plan(effect);
     record_edit_energy(scene_.system, effect.invalidates_frame() ? energy_.total() - before : 0.0, scene_.state);
     recorder_.record_scene(scene_);
-    meter_.restart();
+    pass_edit_to_meter(effect, settings);
     check_divergence();
     start_is_edited_ = start_is_edited_ || is_at_start();
     for (const Point& point : scene_.system.points())
@@ -101,7 +108,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                    run_to_.reset();
                    frame_pacer_.reset();
                    drop_frame();
-                   if (running_) divergence_.reset();
+                   if (running_) resolve_divergence();
                  },
                  [&](const StepOnce&) {
                    running_ = false;
@@ -117,7 +124,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                    run_to_ = run.time;
                    run_from_ = scene_.state.time;
                    running_ = true;
-                   divergence_.reset();
+                   resolve_divergence();
                  },
                  [&](const StepBack&) {
                    if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.step_back_from(scene_.state.time), 0);
@@ -131,8 +138,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  [&](const GoToStart&) {
                    if (!start_.scene()) return;
                    playback_.stop();
-                   keep_start();
-                   edit(Replace{std::make_shared<const Scene>(start_.return_from(scene_))}, 0);
+                   edit(Replace{std::make_shared<const Scene>(scene_at_start())}, 0);
                    start_.forget_releases();
                    limit_work_ = 0.0;
                    gas_releases_.clear();

@@ -59,12 +59,16 @@ std::shared_ptr<const Snapshot> Lab::snapshot() {
     snapshot->max_strain = std::max(snapshot->max_strain, value);
   }
   snapshot->omega = plan_.spectrum.omega;
-  snapshot->largest_stable_step = StepLimits(plan_.spectrum).stable_step(*scene_.settings.integrator);
+  const Integrator& method = *scene_.settings.integrator;
+  const StepLimits now(plan_.spectrum);
+  snapshot->largest_stable_step = now.stable_step(method);
+  snapshot->step_limit = now.limit_text(method, scene_.settings.frame_rate);
+  snapshot->is_limited_by_contact = now.is_set_by_contact(method);
   if (scene_.settings.substep() > snapshot->largest_stable_step) {
     const Scene& start = start_.scene() ? *start_.scene() : scene_;
     const StepLimits limits(plan_.spectrum, step_needs(start.system, start.state));
     snapshot->recommended_margin = limits.needs().margin;
-    snapshot->recommended_substeps = limits.recommended_substeps(*scene_.settings.integrator, scene_.settings.frame_rate).value_or(0);
+    snapshot->recommended_substeps = limits.recommended_substeps(method, scene_.settings.frame_rate).value_or(0);
   }
   snapshot->divergence = divergence_;
   return snapshot;

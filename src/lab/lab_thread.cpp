@@ -62,13 +62,13 @@ std::shared_ptr<const Status> LabThread::status() const {
   return status_;
 }
 
-std::future<std::shared_ptr<const Scene>> LabThread::copy_scene() {
+std::future<std::shared_ptr<const Scene>> LabThread::copy_scene(Moment moment) {
   auto promise = std::make_shared<std::promise<std::shared_ptr<const Scene>>>();
   auto future = promise->get_future();
   post(
-      [promise](Lab& lab) {
+      [promise, moment](Lab& lab) {
         lab.apply_pending();
-        auto scene = std::make_shared<Scene>(lab.scene());
+        auto scene = std::make_shared<Scene>(moment == Moment::Start ? lab.scene_at_start() : lab.scene());
         scene->system.colliders = carried_colliders(scene->system, scene->state);
         promise->set_value(std::move(scene));
       },

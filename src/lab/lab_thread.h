@@ -30,8 +30,9 @@ class LabThread {
   // The latest status; never null.
   std::shared_ptr<const Status> status() const;
 
-  // A copy of the scene between two frames, after all earlier submissions, for saving.
-  std::future<std::shared_ptr<const Scene>> copy_scene();
+  // A copy of the scene between two frames, after all earlier submissions: as it is now, or at its start, which is what a file contains.
+  enum class Moment { Start, Present };
+  std::future<std::shared_ptr<const Scene>> copy_scene(Moment moment);
 
   // Waits up to `max_wait` until the status reflects all earlier submissions; returns whether it does.
   bool settle(std::chrono::milliseconds max_wait);

@@ -42,12 +42,13 @@ auto ids_of(const List& items) {
 
 bool Selection::contains(PointId id) const { return holds(points, id); }
 bool Selection::contains(SpringId id) const { return holds(springs, id); }
-void Selection::toggle(PointId id) { flip(points, id); }
-void Selection::toggle(SpringId id) { flip(springs, id); }
+void Selection::toggle(PointId id) { flip(points, id), collider.reset(); }
+void Selection::toggle(SpringId id) { flip(springs, id), collider.reset(); }
 
 void Selection::add(const Selection& other) {
   points = union_of(points, other.points);
   springs = union_of(springs, other.springs);
+  if (has_parts()) collider.reset();
 }
 
 Selection select_all(const System& system) { return {ids_of(system.points()), ids_of(system.springs())}; }
@@ -96,6 +97,7 @@ Selection existing_part_of(const System& system, const Selection& selection) {
   Selection result;
   std::ranges::copy_if(selection.points, std::back_inserter(result.points), [&](PointId id) { return system.index_of(id) != no_index; });
   std::ranges::copy_if(selection.springs, std::back_inserter(result.springs), [&](SpringId id) { return system.index_of(id) != no_index; });
+  if (selection.collider && *selection.collider < static_cast<Index>(system.colliders.size())) result.collider = selection.collider;
   return result;
 }
 

@@ -1,6 +1,7 @@
 // The selection of the user. Ids in ascending order without duplicates.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/model/system.h"
@@ -10,8 +11,10 @@ namespace hooke {
 struct Selection {
   std::vector<PointId> points;
   std::vector<SpringId> springs;
+  std::optional<Index> collider{};  // alone
 
-  bool empty() const { return points.empty() && springs.empty(); }
+  bool has_parts() const { return !points.empty() || !springs.empty(); }
+  bool empty() const { return !has_parts() && !collider; }
   bool contains(PointId id) const;
   bool contains(SpringId id) const;
   void toggle(PointId id);

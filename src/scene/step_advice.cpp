@@ -37,12 +37,6 @@ std::string describe(const Passage& passage) {
          quantity_text(passage.speed, "m/s", 2) + " and " + quantity_text(passage.length, "m", 2);
 }
 
-// Whether the step is within the limit but for contact.
-bool is_short_without_contact(const Settings& settings, Spectrum spectrum) {
-  spectrum.contact = spectrum.points_touch = false;
-  return settings.substep() <= StepLimits(spectrum).stable_step(*settings.integrator);
-}
-
 }  // namespace
 
 Advice suggest_stepping(const StepLimits& limits, const Settings& settings) {
@@ -76,17 +70,13 @@ std::optional<std::string> step_warning(const System& system, const State& state
   const std::string id(method.id);
   const Advice advice = suggest_stepping(limits, settings);
   if (const auto limit = limits.stable_substeps(method, settings.frame_rate); limit && advice.integrator == &method) {
-    // the bound of a listed force is that of its strongest point, which the scene may never reach
-    const bool is_of_forces = std::hypot(spectrum.force_omega, spectrum.estimated_omega) > 0.5 * spectrum.omega;
     const bool has_margin = is_within_limit || *limit <= max_substeps / needs.margin;
     const std::string recommended =
         has_margin ? std::to_string(advice.substeps) + " are recommended" + consequence_of(advice.substeps, settings.substeps)
                    : "no number of substeps has the recommended margin";
     const std::string few = "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id + " here: ";
     if (is_within_limit) return few + describe(needs.passage) + "; " + recommended;
-    return few +
-           (is_short_without_contact(settings, spectrum) ? "contact may cause growth with fewer than " : "its linear stability limit is ") +
-           count_substeps(*limit) + " per frame" + (is_of_forces ? " where the listed forces are strongest; " : "; ") + recommended;
+    return few + limits.limit_text(method, settings.frame_rate) + "; " + recommended;
   }
   const std::string reason = method.stability == Stability::None
                                  ? "amplifies undamped motion at every step"

@@ -24,6 +24,10 @@ void add(RunResult& result, const Motion& motion) {
   result.unconverged_solves += motion.counts.unconverged_solves;
 }
 
+int frames_between_snapshots(const Problem& problem, double frame_rate) {
+  return std::max(1, static_cast<int>(std::lround(frame_rate * problem.seconds / snapshot_count)));
+}
+
 }  // namespace
 
 bool is_adaptive(const Integrator& method) { return method.stability == Stability::Adaptive; }
@@ -38,7 +42,8 @@ double cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-Benchmark::Benchmark(const Problem& problem) : problem_(problem), plan_(make_plan(problem.system)) {}
+Benchmark::Benchmark(const Problem& problem)
+    : problem_(problem), frames_(frames_between_snapshots(problem, problem.frame_rate)), plan_(make_plan(problem.system)) {}
 
 RunResult Benchmark::run(const Integrator& method, const Setting& setting, const std::function<bool()>& should_continue) {
   return run(method, setting, problem_.start, should_continue);
@@ -46,9 +51,9 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
 
 RunResult Benchmark::run(const Integrator& method, const Setting& setting, const State& start,
                          const std::function<bool()>& should_continue) {
-  // `auto` chooses from frame to frame, and does so as in a laboratory; to other methods a snapshot is a frame
+  // `auto` chooses from frame to frame, and does so as in a laboratory
   const bool is_auto = &method == &automatic_method();
-  const int frames = is_auto ? std::max(1, static_cast<int>(std::lround(60.0 * problem_.seconds / snapshot_count))) : 1;
+  const int frames = is_auto && problem_.frame_rate == 0.0 ? frames_between_snapshots(problem_, 60.0) : frames_;
   const Settings settings{.integrator = &method,
                           .frame_rate = frames * snapshot_count / problem_.seconds,
                           .substeps = setting.steps,

@@ -19,7 +19,7 @@ inline constexpr int snapshot_count = 4;
 // Whether the method chooses its own steps by a tolerance.
 bool is_adaptive(const Integrator& method);
 
-// Steps between two snapshots, or the tolerance [m] of an adaptive method.
+// Steps in a frame, or the tolerance [m] of an adaptive method.
 struct Setting {
   int steps = 1;
   std::optional<double> tolerance;
@@ -55,7 +55,7 @@ class Benchmark {
   const Spectrum& spectrum() const { return plan_.spectrum; }
   double resolving_step() const { return plan_.collider_paths.resolving_step; }  // [s], of the colliders (plan.h)
   // [s]; for an adaptive method the longest step it may take.
-  double step(const Setting& setting) const { return problem_.seconds / snapshot_count / setting.steps; }
+  double step(const Setting& setting) const { return problem_.seconds / snapshot_count / frames_ / setting.steps; }
   // Half the step; a tenth of the tolerance.
   Setting finer(const Setting& setting) const;
   // "64 steps/s", "tolerance 1e-06".
@@ -63,6 +63,7 @@ class Benchmark {
 
  private:
   const Problem& problem_;
+  const int frames_;  // between two snapshots
   Plan plan_;
   FrameRunner frame_;  // reused, so that data built once per topology is not counted as stepping
 };

@@ -21,7 +21,8 @@ bool is_predictable(const ReferenceRecord& reference) {
 
 }  // namespace
 
-MethodComparison compare_methods(const System& system, const State& state, double seconds, const Effort& effort, const Progress& progress) {
+MethodComparison compare_methods(const System& system, const State& state, double seconds, const Effort& effort, const Progress& progress,
+                                 double frame_rate) {
   MethodComparison comparison;
   Scene scene;
   scene.system = system;
@@ -31,6 +32,7 @@ MethodComparison compare_methods(const System& system, const State& state, doubl
     Problem problem = make_problem("scene", scene);
     problem.start.time = state.time;
     problem.seconds = part * seconds;
+    problem.frame_rate = frame_rate;
     comparison.record = make_record(problem);
     PrecisionSweep sweep(problem, effort, comparison.record);
     double done = 0.0;

@@ -12,9 +12,11 @@ struct MethodComparison {
   std::string note;      // in a sentence: why the compared time is shorter than wanted, or why there is no result; empty: neither
 };
 
-// Runs all methods from this state, each at several settings, for `seconds` [s] or, if the motion cannot be predicted for that long, for a
-// shorter time. `progress` is called often, with the part done; false ends it with the rows so far.
-MethodComparison compare_methods(const System& system, const State& state, double seconds, const Effort& effort, const Progress& progress);
+// Runs all methods from this state, each at several settings, for `seconds` [s] at this frame rate [1/s], 0: that of a benchmark, or, if
+// the motion cannot be predicted for that long, for a shorter time. `progress` is called often, with the part done; false ends it with the
+// rows so far.
+MethodComparison compare_methods(const System& system, const State& state, double seconds, const Effort& effort, const Progress& progress,
+                                 double frame_rate = 0.0);
 
 // A comparison that takes some ten seconds for a small scene.
 inline constexpr Effort comparison_effort{.repeats = 2, .run_seconds = 0.4, .reference_seconds = 3.0, .finest_error = 1e-10};

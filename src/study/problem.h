@@ -23,6 +23,7 @@ struct Problem {
   double seconds = 1.0;
   double size = 1.0;  // [m], to which errors are relative
   Measure measure = Measure::Trajectory;
+  double frame_rate = 0.0;  // [1/s], of the frames in which a window shows it; 0: none but the snapshots of a benchmark
 };
 
 // The built-in problems, in the order of the report. Some are shipped scenes: `make` throws what load_scene throws.

@@ -29,7 +29,7 @@ Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
   if (is_adaptive(method)) return {.tolerance = 1e-2 * benchmark.problem().size};
   const double limit = StepLimits(benchmark.spectrum()).stable_step(method);
   if (!(limit > 0.0) || !std::isfinite(limit)) return {.steps = 4};
-  return {.steps = std::max(1, static_cast<int>(std::ceil(benchmark.problem().seconds / snapshot_count / limit)))};
+  return {.steps = std::max(1, static_cast<int>(std::ceil(benchmark.step({}) / limit)))};
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
     build_comparison(input, panels, requests);
     build_result_check(input, panels, requests);
     build_ghosts(input, panels, requests);
+    build_messages(input, panels);
   }
   build_export(input, panels, requests);
   build_keys(input, panels);

@@ -11,13 +11,14 @@
 
 #include "base/folder_listing.h"
 #include "draw/view.h"
+#include "lab/accuracy/judgement.h"
 #include "lab/status.h"
 #include "scene/crossed_parts.h"
 #include "scene/selection.h"
-#include "study/cheaper_method.h"
 #include "study/check/result_check.h"
 #include "study/check/stretch.h"
 #include "study/compare_methods.h"
+#include "study/cost_advice.h"
 #include "study/remedy/remedy.h"
 #include "ui/export_state.h"
 #include "ui/icons.h"
@@ -83,6 +84,7 @@ struct PanelInput {
   std::filesystem::path file;      // of the document; empty if it has none
   std::filesystem::path folder{};  // where file dialogs start
   double frames_per_second = 0.0, draw_ms = 0.0;
+  double waiting_seconds = 0.0;                   // for the frame in progress; 0: paused
   double film_seconds = -1.0;                     // length of the film in progress; negative if none
   std::optional<Rect> rubber_band;                // of a selection in progress, in window coordinates
   std::vector<glm::dvec2> stroke;                 // of a cut in progress, relative to the corner of the scene
@@ -93,8 +95,8 @@ struct PanelInput {
   ExportWork export_work{};
   bool has_desktop_dialog = false;
   Camera camera{};
-  const Forecast* forecast = nullptr;      // null if there is none
-  std::optional<CheaperMethod> cheaper{};  // than the present one, for the same error
+  const Forecast* forecast = nullptr;  // null if there is none
+  std::optional<CostAdvice> advice{};  // none: not computed yet
   RemedyStatus remedy{};
   ResultStatus<MethodComparison> comparison{};
   ResultStatus<ResultCheck> result_check{};
@@ -160,6 +162,20 @@ struct Ghosts {
   static constexpr std::size_t max_settings = 4;
 };
 
+// What the program said: a line over the scene until it was read, and all of them in a panel.
+struct Messages {
+  struct Entry {
+    std::string time, text;  // "15:20:03"
+  };
+  std::string toast;          // disappears by itself, unless the mouse is over it; empty: none
+  double toast_until = 0.0;   // [s], on the clock of ImGui; negative: from the next frame on
+  std::deque<Entry> entries;  // oldest first
+  std::string banners;        // that are in the log
+  bool is_shown = false;
+
+  void log(const std::string& text);
+};
+
 struct Panels {
   ViewOptions view;
   Dialog dialog;
@@ -170,8 +186,7 @@ struct Panels {
   Placement placement;
   ExportState export_state;
   bool menu_is_open = false;
-  std::string toast;                // a message that disappears by itself
-  double toast_until = 0.0;         // [s], on the clock of ImGui
+  Messages messages;
   std::optional<double> dismissed;  // time of the divergence whose banner was closed [s]
   std::string file_warnings;        // about the opened file
   std::string file_notice;          // the file changed on disk
@@ -203,11 +218,16 @@ struct Panels {
 
   // Of the panels at the left edge of the scene only one is shown.
   void show_at_left(bool* shown) {
-    comparison_shown = result_check_shown = false;
+    comparison_shown = result_check_shown = messages.is_shown = false;
     ghosts = {};
     *shown = true;
   }
-  void show_toast(std::string line) { toast = std::move(line), toast_until = -1.0; }
+  // The second is not in the log: a value while it is tuned.
+  void show_toast(std::string line) {
+    messages.log(line);
+    show_value(std::move(line));
+  }
+  void show_value(std::string line) { messages.toast = std::move(line), messages.toast_until = -1.0; }
   void open_dialog(Dialog::Kind kind, std::string typed = {}) { dialog = {.kind = kind, .typed = std::move(typed), .is_new = true}; }
   void open_file_dialog(Dialog::Kind kind, std::filesystem::path folder, std::string typed = {}) {
     open_dialog(kind, std::move(typed));
@@ -243,6 +263,9 @@ void build_side(const PanelInput& input, Panels& panels, Requests& requests);
 // The steps of a lesson; each is checked off when it was done.
 void build_lesson(const PanelInput& input, Panels& panels);
 void build_inspector(const PanelInput& input, Panels& panels, Requests& requests);
+// The selected collider; and the rows of one, with what a row changed.
+void build_collider(const PanelInput& input, Panels& panels, Requests& requests);
+std::optional<Collider> collider_rows(const Collider& collider, int dimensions, Panels& panels);
 // What stretches the selected springs.
 void build_stretch(const PanelInput& input, Requests& requests);
 void build_parameters(const PanelInput& input, Panels& panels, Requests& requests);
@@ -258,6 +281,8 @@ void build_history(const PanelInput& input, Requests& requests);
 void build_search(const PanelInput& input, Panels& panels, Requests& requests);
 void build_export(const PanelInput& input, Panels& panels, Requests& requests);
 void build_placement(const PanelInput& input, Panels& panels, Requests& requests);
+// Grey only where all is well.
+ImU32 color_of(const Judgement& judgement);
 // The line below the method; a click shows or hides the panel.
 void build_accuracy_line(const PanelInput& input, Panels& panels);
 void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests);
@@ -270,6 +295,7 @@ void build_status_bar(const PanelInput& input);
 void build_axes(const PanelInput& input, Panels& panels, Requests& requests);
 void build_overlays(const PanelInput& input, Panels& panels, Requests& requests);
 void build_keys(const PanelInput& input, Panels& panels);
+void build_messages(const PanelInput& input, Panels& panels);
 void build_gallery(const PanelInput& input, Panels& panels, Requests& requests);
 void build_dialogs(const PanelInput& input, Panels& panels, Requests& requests);
 

@@ -9,6 +9,7 @@
 
 #include "formats/import_options.h"
 #include "lab/lab.h"
+#include "scene/collider_kinds.h"
 #include "scene/shape.h"
 #include "ui/actions.h"
 
@@ -75,6 +76,7 @@ struct StopExport {};
 struct StartPlacement {
   const ShapeKind* shape;
   bool in_space = false;
+  const ColliderKind* collider = nullptr;  // instead of a shape or a mesh
 };
 // A button that only closes its dialog.
 struct CloseDialog {};

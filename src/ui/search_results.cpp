@@ -57,6 +57,8 @@ class ResultFinder {
         if (const double value = input_.status.document->parameter_values[i]; !std::isnan(value)) add_parameter(rows[i], value);
       for (const ShapeKind& kind : placeable_shapes()) add_shape(std::string(kind.label), &kind);
       add_shape("From a mesh", nullptr);
+      for (const ColliderKind& kind : collider_kinds())
+        add("Add " + std::string(kind.label), "collider", {StartPlacement{nullptr, false, &kind}}, "obstacle");
       for (const ShippedScene& scene : shipped_scenes()) add_scene(scene);
       add("Use method " + std::string(automatic_method().label), "method tolerance auto", {Edit{SetIntegrator{&automatic_method()}}});
       for (const Integrator& method : integrators())

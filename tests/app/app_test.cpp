@@ -82,7 +82,7 @@ TEST(TimelineStrip, RunsToATypedTime) {
   ImGui::GetIO().KeysDown[ImGuiKey_Enter] = true;
   gui.frame();
   ImGui::GetIO().KeysDown[ImGuiKey_Enter] = false;
-  for (int i = 0; i < 50 && (gui.status().run.running || gui.status().run.frames == 0); ++i) gui.frame();
+  EXPECT_TRUE(gui.wait_for_end_of_run());
   EXPECT_NEAR(gui.status().snapshot->state.time, 2.0, 1.0 / 60.0);
   EXPECT_FALSE(gui.status().run.running);
 }
@@ -105,10 +105,7 @@ TEST(Recordings, AreStartedByAKeyAndReplayWithTheSameBits) {
   gui.app().document().play(std::make_shared<const Recording>(read_recording(scratch.folder / "net.hookelog")));
   EXPECT_EQ(gui.status().snapshot->state.position, scene.state.position);
   // in real time, ten frames take a sixth of a second
-  for (int i = 0; i < 2000 && (gui.status().run.running || gui.status().run.frames == 0); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    gui.frame();
-  }
+  EXPECT_TRUE(gui.wait_for_end_of_run());
   EXPECT_EQ(gui.status().recording.difference, "");
   EXPECT_EQ(gui.status().snapshot->state.position, end.position);
   EXPECT_EQ(gui.status().snapshot->state.velocity, end.velocity);
@@ -197,7 +194,7 @@ TEST(Keys, AHeldArrowIsOneUndoStepAndShowsTheValue) {
   gui.key(Key::Up, {}, true);
   gui.key(Key::Up, {}, true);
   EXPECT_NEAR(gui.system().springs()[0].stiffness, 133.1, 1e-9);
-  EXPECT_NE(gui.app().panels().toast.find("133.1"), std::string::npos);
+  EXPECT_NE(gui.app().panels().messages.toast.find("133.1"), std::string::npos);
   gui.key(letter('Z'), control);
   EXPECT_EQ(gui.system().springs()[0].stiffness, 100.0);
 }

@@ -84,7 +84,7 @@ TEST(BackgroundTask, OpensALargeFileWhileTheWindowKeepsDrawing) {
   for (int i = 0; i < 5; ++i) words = gui.text();
   EXPECT_NE(words.find("Opening dust.json"), std::string::npos) << words;
   EXPECT_EQ(gui.status().snapshot->system->point_count(), 2) << "the document stays until the new one is read";
-  ASSERT_TRUE(wait_for(gui, [&] { return gui.status().snapshot->system->point_count() == 100'000; }));
+  ASSERT_TRUE(gui.wait_until([&] { return gui.status().snapshot->system->point_count() == 100'000; }));
   gui.frames(2);
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
   EXPECT_EQ(gui.app().title(), "Hooke - dust");
@@ -98,7 +98,7 @@ TEST(BackgroundTask, CanBeCanceledAndLeavesTheDocumentUnchanged) {
   gui.frames(2);
   ASSERT_EQ(open_dialog(gui), Dialog::Kind::Working);
   gui.key(Key::Escape);
-  ASSERT_TRUE(wait_for(gui, [&] { return open_dialog(gui) == Dialog::Kind::None; }));
+  ASSERT_TRUE(gui.wait_until([&] { return open_dialog(gui) == Dialog::Kind::None; }));
   EXPECT_EQ(gui.status().snapshot->system->point_count(), 2);
   EXPECT_EQ(gui.app().title(), "Hooke - net");
   // the next file opens
@@ -125,13 +125,13 @@ TEST(BackgroundTask, OfSavingCanBeCanceledBeforeTheOldFileIsTouched) {
   gui.app().handle(KeyPress{letter('S'), control});
   gui.frame();
   gui.key(Key::Escape);
-  ASSERT_TRUE(wait_for(gui, [&] { return open_dialog(gui) == Dialog::Kind::None; }));
+  ASSERT_TRUE(gui.wait_until([&] { return open_dialog(gui) == Dialog::Kind::None; }));
   EXPECT_EQ(gui.app().title(), "Hooke - dust*");
   EXPECT_EQ(fs::last_write_time(large), written);
   EXPECT_EQ(std::distance(fs::directory_iterator(fixture.folder), {}), 4) << "net, dust, config, state: no partial file";
   // if it is not canceled, the file is saved and the dialog closes itself
   gui.app().handle(KeyPress{letter('S'), control});
-  ASSERT_TRUE(wait_for(gui, [&] { return gui.app().title() == "Hooke - dust"; }));
+  ASSERT_TRUE(gui.wait_until([&] { return gui.app().title() == "Hooke - dust"; }));
   EXPECT_EQ(load_scene(large).scene.system.point_count(), 100'000);
 }
 

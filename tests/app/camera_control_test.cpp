@@ -99,7 +99,7 @@ TEST(Camera, IsCopiedAndPastedAsText) {
   EXPECT_TRUE(pasted.orthographic);
   gui.app().use({.put = nullptr, .take = [] { return std::string("1,2,3"); }});
   gui.key(letter('V'), control_shift);
-  EXPECT_EQ(gui.app().panels().toast, "The clipboard contains no camera");
+  EXPECT_EQ(gui.app().panels().messages.toast, "The clipboard contains no camera");
   EXPECT_LT(glm::distance(gui.app().camera().eye(), camera.eye()), 1e-12);
 }
 

@@ -26,10 +26,7 @@ TEST(Crossings, AreHighlightedUntilThePartsAreApart) {
   EXPECT_EQ(gui.app().marks().crossed->edges.size(), 2u);
   EXPECT_NE(gui.text().find("2 edges pass through faces, as highlighted"), std::string::npos);
   gui.key(Key::Space);
-  for (int i = 0; i < 2000 && gui.app().marks().crossed; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    gui.frame();
-  }
+  EXPECT_TRUE(gui.wait_until([&] { return !gui.app().marks().crossed; }));
   EXPECT_EQ(gui.app().marks().crossed, nullptr);
   EXPECT_GT(gui.status().snapshot->state.time, 0.05);
   gui.frames(2);
@@ -58,11 +55,11 @@ TEST(Crossings, AreHighlightedWhenUndoRestoresABallInASheet) {
   const PointId ball = gui.system().points()[3].id;
   gui.app().handle(Request(Edit{Remove{.points = {ball}}}));
   gui.app().handle(Request(Control(RunTo{0.55})));
-  for (int i = 0; i < 2000 && gui.status().snapshot->state.time < 0.549; ++i) gui.frame();
+  EXPECT_TRUE(gui.wait_until([&] { return !(gui.status().snapshot->state.time < 0.549); }));
   EXPECT_EQ(gui.app().marks().crossed, nullptr);
   gui.key(Key::Space);
   gui.key(letter('Z'), {.control = true});
-  for (int i = 0; i < 100 && !gui.app().marks().crossed; ++i) gui.frame();
+  EXPECT_TRUE(gui.wait_until([&] { return gui.app().marks().crossed; }));
   ASSERT_NE(gui.app().marks().crossed, nullptr);
   EXPECT_EQ(gui.app().marks().crossed->spheres, std::vector<PointId>{ball});
   EXPECT_NE(gui.text().find("1 point overlaps faces or springs, as highlighted"), std::string::npos);
@@ -78,7 +75,7 @@ TEST(Crossings, AreHighlightedWhereTheHandForcesThem) {
     "hand": {"point": 3, "circle": {"from": [0, 0.2, 0], "center": [0, 0, 0], "axis": [0, 0, 1]}, "speed": 1, "seconds": 0.6}})"));
   EXPECT_EQ(gui.app().marks().crossed, nullptr);
   gui.app().handle(Request(Control(RunTo{0.45})));
-  for (int i = 0; i < 2000 && gui.status().snapshot->state.time < 0.449; ++i) gui.frame();
+  EXPECT_TRUE(gui.wait_until([&] { return !(gui.status().snapshot->state.time < 0.449); }));
   gui.frames(2);
   EXPECT_NE(gui.app().marks().crossed, nullptr);
 }

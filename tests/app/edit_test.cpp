@@ -110,11 +110,11 @@ TEST(UndoAndRedo, SayWhatTheyChanged) {
   GuiFixture gui(pair_and_one());
   gui.key(letter('A'), control);
   gui.key(Key::Delete);
-  EXPECT_EQ(gui.app().panels().toast, "");
+  EXPECT_EQ(gui.app().panels().messages.toast, "");
   gui.key(letter('Z'), control);
-  EXPECT_EQ(gui.app().panels().toast, "Undo: delete 3 points and 1 spring");
+  EXPECT_EQ(gui.app().panels().messages.toast, "Undo: delete 3 points and 1 spring");
   gui.key(letter('Y'), control);
-  EXPECT_EQ(gui.app().panels().toast, "Redo: delete 3 points and 1 spring");
+  EXPECT_EQ(gui.app().panels().messages.toast, "Redo: delete 3 points and 1 spring");
   gui.key(letter('Z'), control);
   gui.key(letter('A'), control);
   gui.key(letter('D'), control);
@@ -123,7 +123,7 @@ TEST(UndoAndRedo, SayWhatTheyChanged) {
   gui.app().handle(Request(Control(GoToHistoryStep{0})));
   gui.frames(2);
   EXPECT_EQ(gui.system().point_count(), 3);
-  EXPECT_EQ(gui.app().panels().toast, "Undo: 2 steps");
+  EXPECT_EQ(gui.app().panels().messages.toast, "Undo: 2 steps");
 }
 
 TEST(Copies, PassBetweenTwoInstancesAsText) {
@@ -133,7 +133,7 @@ TEST(Copies, PassBetweenTwoInstancesAsText) {
     GuiFixture gui(pair_and_one());
     gui.app().use(shared);
     gui.key(letter('C'), control);
-    EXPECT_EQ(gui.app().panels().toast, "Nothing is selected");
+    EXPECT_EQ(gui.app().panels().messages.toast, "Nothing is selected");
     gui.key(letter('A'), control);
     gui.key(letter('X'), control);
     EXPECT_EQ(gui.system().point_count(), 0);
@@ -162,7 +162,7 @@ TEST(Copies, OfOtherClipboardContentAreRefusedWithAMessage) {
     board = text;
     gui.key(letter('V'), control);
     EXPECT_EQ(gui.system().point_count(), 3) << text;
-    EXPECT_NE(gui.app().panels().toast.find("The clipboard "), std::string::npos) << text;
+    EXPECT_NE(gui.app().panels().messages.toast.find("The clipboard "), std::string::npos) << text;
   }
 }
 

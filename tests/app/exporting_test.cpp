@@ -34,7 +34,7 @@ class Export {
   }
   void run() {
     gui_.key(Key::Enter);
-    for (int i = 0; i < 2000 && is_running(); ++i) gui_.frame();
+    EXPECT_TRUE(gui_.wait_until([&] { return !is_running(); }));
     EXPECT_FALSE(is_running());
   }
 
@@ -154,7 +154,7 @@ TEST(Export, WritesNothingIfCanceled) {
   csv.gui().key(Key::Enter);
   ASSERT_TRUE(csv.is_running());
   csv.gui().key(Key::Escape);
-  for (int i = 0; i < 2000 && csv.is_running(); ++i) csv.gui().frame();
+  EXPECT_TRUE(csv.gui().wait_until([&] { return !csv.is_running(); }));
   EXPECT_FALSE(csv.is_running());
   EXPECT_FALSE(std::filesystem::exists(csv.file(".csv")));
 }

@@ -80,7 +80,7 @@ TEST(OpeningCloth, FallsOnAFloorInSight) {
   GuiFixture gui(load_scene(find_scene("cloth")).scene);
   gui.key(letter('R'));
   gui.app().handle(Request(Control(RunTo{2.0})));
-  for (int i = 0; i < 2000 && (gui.status().run.running || gui.status().run.frames == 0); ++i) gui.frame();
+  EXPECT_TRUE(gui.wait_for_end_of_run());
   const Snapshot& snapshot = *gui.status().snapshot;
   const glm::dvec2 size = view_size(1280.0, 800.0);
   EXPECT_EQ(fraction_outside(gui.app().camera(), *snapshot.system, snapshot.state, size), 0.0);

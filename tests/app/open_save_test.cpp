@@ -9,6 +9,7 @@
 #include "app/document/files.h"
 #include "draw/view.h"
 #include "formats/scene_file.h"
+#include "scene/parameters.h"
 #include "support/gui_fixture.h"
 #include "support/hanging_scene.h"
 #include "support/scratch_folder.h"
@@ -47,6 +48,53 @@ TEST(Documents, CanBeSavedAtATypedPathAndReopened) {
   gui.key(letter('S'), control);
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
   EXPECT_EQ(load_scene(scratch.folder / "mine.json").scene.system.point_count(), 0);
+}
+
+// Reopened, the scene starts where it started, not where the run was when it was saved.
+TEST(Documents, ContainTheStartAlsoWhenSavedDuringARun) {
+  const ScratchFolder scratch;
+  const Scene start = hanging();
+  save_scene(start, scratch.folder / "net.json");
+  GuiFixture gui(start, scratch.folder / "net.json");
+  for (int frame = 0; frame < 8; ++frame) gui.key(Key::Period);
+  const State run = gui.status().snapshot->state;
+  gui.app().handle(Request(Edit{SetParameter{find_parameter("stiffness"), 200.0}}));
+  gui.key(letter('S'), control);
+  EXPECT_NE(gui.text().find("the start of the scene, not its state at t = 0.1333 s"), std::string::npos) << gui.text();
+  const Scene saved = load_scene(scratch.folder / "net.json").scene;
+  EXPECT_EQ(saved.state.time, 0.0);
+  EXPECT_EQ(saved.state.position, start.state.position);
+  EXPECT_EQ(saved.system.springs()[0].stiffness, 200.0);
+  EXPECT_EQ(gui.app().title(), "Hooke - net");
+  EXPECT_EQ(gui.status().snapshot->state.position, run.position);
+
+  // the present state goes to another file, and the document stays what it is
+  gui.app().handle(Request(Action::SavePresent));
+  gui.frames(2);
+  ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Save);
+  EXPECT_EQ(gui.app().panels().dialog.typed, (scratch.folder / "net-0.1333s.json").string());
+  gui.key(Key::Enter);
+  EXPECT_EQ(load_scene(scratch.folder / "net-0.1333s.json").scene.state.position, run.position);
+  EXPECT_EQ(gui.app().document().file(), scratch.folder / "net.json");
+
+  // or it becomes the start
+  gui.app().handle(Request(Action::SetStart));
+  gui.key(letter('S'), control);
+  EXPECT_EQ(load_scene(scratch.folder / "net.json").scene.state.position, run.position);
+}
+
+TEST(Documents, ThePresentStateDoesNotReplaceTheFileOfTheScene) {
+  const ScratchFolder scratch;
+  save_scene(hanging(), scratch.folder / "net.json");
+  GuiFixture gui(hanging(), scratch.folder / "net.json");
+  for (int frame = 0; frame < 8; ++frame) gui.key(Key::Period);
+  gui.app().handle(Request(Action::SavePresent));
+  gui.frames(2);
+  gui.app().panels().dialog = {};
+  gui.app().handle(Request(SaveFile{scratch.folder / "net.json"}));
+  gui.frames(2);
+  EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
+  EXPECT_EQ(load_scene(scratch.folder / "net.json").scene.state.time, 0.0);
 }
 
 TEST(Documents, AShippedSceneIsNeverOverwritten) {

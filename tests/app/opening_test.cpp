@@ -63,7 +63,7 @@ TEST(Replay, ShowsTheTextureOfTheSceneAndChangesNoDocument) {
   const auto recording = std::make_shared<const Recording>(read_recording(scratch.folder / "cloth.hookelog"));
   GuiFixture replay;
   replay.app().document().play(recording);
-  ASSERT_TRUE(wait_for(replay, [&] { return !replay.status().run.running && replay.status().run.frames == 2; }));
+  ASSERT_TRUE(replay.wait_until([&] { return !replay.status().run.running && replay.status().run.frames == 2; }));
   EXPECT_EQ(replay.status().recording.difference, "");
   ASSERT_TRUE(replay.status().document->cloth_texture.picture);
   EXPECT_EQ(replay.status().document->view.texture, "tartan");

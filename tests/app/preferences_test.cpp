@@ -188,7 +188,7 @@ TEST(DesktopDialog, ReturnsAFile) {
   gui.key(letter('O'), control);
   press_button(gui, "Open scene", "System dialog");
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
-  EXPECT_TRUE(wait_for(gui, [&] { return gui.app().title() == "Hooke - net"; }));
+  EXPECT_TRUE(gui.wait_until([&] { return gui.app().title() == "Hooke - net"; }));
   EXPECT_NE(fake.called().find("--file-selection\n"), std::string::npos);
 }
 

@@ -29,10 +29,11 @@ TEST(Recovery, OffersTheAutosaveOfAKilledRunBitForBit) {
   {
     GuiFixture gui = fixture.open();
     gui.unnail(0);
-    gui.key(Key::Period);
-    ASSERT_TRUE(wait_for(gui, [&] { return copies_in(fixture.home) == 1; }));
-    // without a regular exit, as if it were killed
+    // of the start, as in a file, whatever the run does
     state = gui.status().snapshot->state;
+    gui.key(Key::Period);
+    ASSERT_TRUE(gui.wait_until([&] { return copies_in(fixture.home) == 1; }));
+    // without a regular exit, as if it were killed
   }
   GuiFixture gui({}, {}, fixture.home);
   ASSERT_EQ(open_dialog(gui), Dialog::Kind::Recovery);
@@ -64,7 +65,7 @@ TEST(Recovery, DiscardedWorkIsNotOfferedAgain) {
   {
     GuiFixture gui = fixture.open();
     gui.unnail(0);
-    ASSERT_TRUE(wait_for(gui, [&] { return copies_in(fixture.home) == 1; }));
+    ASSERT_TRUE(gui.wait_until([&] { return copies_in(fixture.home) == 1; }));
   }
   GuiFixture gui({}, {}, fixture.home);
   gui.frames(2);
@@ -94,11 +95,11 @@ TEST(Recovery, NoAutosaveIsKeptOfSavedOrDiscardedWork) {
   gui.frames(5);
   EXPECT_EQ(copies_in(fixture.home), 0);
   gui.unnail(0);
-  ASSERT_TRUE(wait_for(gui, [&] { return copies_in(fixture.home) == 1; }));
+  ASSERT_TRUE(gui.wait_until([&] { return copies_in(fixture.home) == 1; }));
   gui.key(letter('S'), control);
   EXPECT_EQ(copies_in(fixture.home), 0);
   gui.key(letter('Z'), control);
-  ASSERT_TRUE(wait_for(gui, [&] { return copies_in(fixture.home) == 1; }));
+  ASSERT_TRUE(gui.wait_until([&] { return copies_in(fixture.home) == 1; }));
   gui.key(letter('Q'), control);
   gui.frames(2);
   press_button(gui, "Save changes?", "Discard");
@@ -111,7 +112,7 @@ TEST(Recovery, AnUnreadableAutosaveIsReportedAndKept) {
   {
     GuiFixture gui = fixture.open();
     gui.unnail(0);
-    ASSERT_TRUE(wait_for(gui, [&] { return copies_in(fixture.home) == 1; }));
+    ASSERT_TRUE(gui.wait_until([&] { return copies_in(fixture.home) == 1; }));
   }
   for (const fs::directory_entry& run : fs::directory_iterator(fixture.home.state / "runs"))
     if (run.is_directory()) DocumentFixture::write(run.path() / "scene.json", "{\"hooke\": 1, ");
@@ -181,7 +182,7 @@ TEST(ChangedFile, IsReportedAndReloadedOrKept) {
   larger.state.position.emplace_back(0.4, 0.4, 0.0);
   larger.state.velocity.emplace_back(0.0);
   save_scene(larger, fixture.file);
-  ASSERT_TRUE(wait_for(gui, [&] { return !gui.app().panels().file_notice.empty(); }));
+  ASSERT_TRUE(gui.wait_until([&] { return !gui.app().panels().file_notice.empty(); }));
   EXPECT_NE(gui.text().find("net.json was changed by another program."), std::string::npos);
   EXPECT_EQ(gui.system().point_count(), 2);
   press_button(gui, "file", "Reload");
@@ -211,7 +212,7 @@ TEST(ChangedFile, ThatWasDeletedIsReportedAndCanBeWrittenAgain) {
   const DocumentFixture fixture;
   GuiFixture gui = fixture.open();
   fs::remove(fixture.file);
-  ASSERT_TRUE(wait_for(gui, [&] { return !gui.app().panels().file_notice.empty(); }));
+  ASSERT_TRUE(gui.wait_until([&] { return !gui.app().panels().file_notice.empty(); }));
   EXPECT_NE(gui.text().find("net.json no longer exists"), std::string::npos);
   gui.key(letter('S'), control);
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);

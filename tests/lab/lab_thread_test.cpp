@@ -42,7 +42,7 @@ TEST(LabThread, GivesTheSameBitsAsWithoutAThread) {
   threaded.submit(SetRunning{true});
   ASSERT_TRUE(wait_for([&] { return threaded.status()->run.frames >= 30; }));
   threaded.submit(SetRunning{false});
-  const auto scene = threaded.copy_scene().get();
+  const auto scene = threaded.copy_scene(LabThread::Moment::Present).get();
 
   Lab lab(rope(20));
   while (lab.scene().state.time < scene->state.time - 1e-9) lab.step();
@@ -55,7 +55,7 @@ TEST(LabThread, AppliesCommandsInOrder) {
   lab.submit(Command(Insert{.points = {{.point = {.id = point}, .position = {0.0, 1.0, 0.0}}}}));
   lab.submit(Command(SetNailed{{{point, true}}}));
   lab.submit(Undo{});
-  const auto scene = lab.copy_scene().get();
+  const auto scene = lab.copy_scene(LabThread::Moment::Present).get();
   ASSERT_EQ(scene->system.point_count(), 4);
   EXPECT_FALSE(scene->system.points()[3].nailed);
   EXPECT_NE(lab.new_point_id(), point);

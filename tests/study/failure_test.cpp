@@ -149,7 +149,7 @@ TEST(Failures, TheEditThatCausedEachIsFoundAndEveryWayOutWorks) {
     const std::string description = injection.kind + ": " + describe(remedy, failed.settings);
     const bool has_culprit = injection.commands.empty() ? !remedy.change : remedy.change && remedy.change->text == injection.change;
     EXPECT_TRUE(has_culprit) << description << (remedy.change ? remedy.change->text : "");
-    const bool has_remedy = remedy.advice || remedy.change || remedy.implicit;
+    const bool has_remedy = remedy.cheapest || remedy.change;
     EXPECT_TRUE(has_remedy) << description;
     bool works = has_remedy;
     const auto expect_to_work = [&](const char* way, const std::vector<Command>& commands) {
@@ -164,8 +164,8 @@ TEST(Failures, TheEditThatCausedEachIsFoundAndEveryWayOutWorks) {
       return std::vector<Command>{SetIntegrator{advice.integrator},
                                   RestoreParameter{&substeps_parameter, static_cast<double>(advice.substeps)}};
     };
-    if (remedy.advice) expect_to_work("advice", setting(*remedy.advice));
-    if (remedy.implicit) expect_to_work("implicit", setting(*remedy.implicit));
+    if (remedy.cheapest) expect_to_work("cheapest", setting(remedy.cheapest->advice));
+    if (remedy.same_method) expect_to_work("same method", setting(remedy.same_method->advice));
     if (remedy.change) expect_to_work("restored", remedy.change->restore);
     correct += has_culprit && works ? 1 : 0;
   }

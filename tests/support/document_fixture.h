@@ -1,10 +1,8 @@
 // A home folder of its own, for tests of documents.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include "app/document/session.h"
 #include "formats/scene_file.h"
@@ -36,17 +34,6 @@ struct DocumentFixture {
   static void write(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text; }
   GuiFixture open() const { return GuiFixture(load_scene(file).scene, file, home); }
 };
-
-// Builds frames until the condition holds, for at most some seconds.
-template <class Condition>
-bool wait_for(GuiFixture& gui, Condition condition) {
-  for (int i = 0; i < 1000; ++i) {
-    if (condition()) return true;
-    gui.frame();
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
 
 inline Dialog::Kind open_dialog(GuiFixture& gui) { return gui.app().panels().dialog.kind; }
 

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <set>
 #include <string>
+#include <thread>
 
 #include "app/app.h"
 #include "support/gui_text.h"
@@ -66,6 +67,21 @@ class GuiFixture {
   }
   void frames(int many) {
     for (int i = 0; i < many; ++i) frame();
+  }
+  // Builds frames until the condition holds; false if it does not within the patience.
+  template <class Condition>
+  bool wait_until(const Condition& condition) {
+    const auto until = std::chrono::steady_clock::now() + patience;
+    while (!condition()) {
+      if (std::chrono::steady_clock::now() > until) return false;
+      frame();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+  // Until a run that was started has ended.
+  bool wait_for_end_of_run() {
+    return wait_until([&] { return !status().run.running && status().run.frames > 0; });
   }
   // Whether frames wait for file operations; if not, frames continue during them, as in the window.
   bool waits_for_work = true;

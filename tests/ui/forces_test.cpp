@@ -47,7 +47,7 @@ TEST(ForcesPanel, ALeakThatIsChangedInARunActsFromThenOn) {
   scene.system.forces[0].values[3] = 0.5;
   GuiFixture gui(std::move(scene));
   gui.app().handle(Request(Control(RunTo{0.2})));
-  for (int i = 0; i < 1000 && gui.status().snapshot->state.time < 0.2 - 1e-9; ++i) gui.frames(1);
+  EXPECT_TRUE(gui.wait_until([&] { return !(gui.status().snapshot->state.time < 0.2 - 1e-9); }));
   const Force before = gui.system().forces[0];
   SetForces set{gui.system().forces};
   set.forces[0].values[3] = 2.0;

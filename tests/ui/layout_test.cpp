@@ -165,7 +165,7 @@ TEST_P(Layouts, ThePanelsLeaveTheSceneVisibleAndTheirTextUnclipped) {
   EXPECT_EQ(over_the_scene(gui.app().layout().scene), std::set<std::string>());
   gui.key(letter('P'));
   gui.app().handle(Request(Control(RunTo{0.25})));
-  for (int i = 0; i < 10000 && (gui.status().run.running || gui.status().run.frames == 0); ++i) gui.frame();
+  EXPECT_TRUE(gui.wait_for_end_of_run());
   expect_in_order(gui, "with plots", "Choose");
   EXPECT_EQ(over_the_scene(gui.app().layout().scene), std::set<std::string>());
   gui.key(letter('P'));
@@ -248,7 +248,7 @@ TEST_P(Layouts, PanelsAboutErrorsAreReadable) {
   resize(gui);
   expect_in_order(gui, "lesson", "How wrong is it");
   gui.app().handle(Request(Control(RunTo{0.5})));
-  for (int i = 0; i < 10000 && (gui.status().run.running || gui.status().run.frames == 0); ++i) gui.frame();
+  EXPECT_TRUE(gui.wait_for_end_of_run());
   gui.app().panels().accuracy_shown = true;
   expect_in_order(gui, "accuracy", "Error of a frame");
   gui.app().handle(Request(Control(SetAccuracy{AccuracyMode::Off})));
@@ -283,7 +283,7 @@ TEST_P(Layouts, TheBannerOfAFailedRunIsReadable) {
   GuiFixture gui(scene);
   resize(gui);
   gui.key(Key::Space);
-  for (int i = 0; i < 2000 && gui.status().diagnosis.message.empty(); ++i) gui.frame();
+  EXPECT_TRUE(gui.wait_until([&] { return !gui.status().diagnosis.message.empty(); }));
   expect_in_order(gui, "banner", "The simulation blew up");
 }
 

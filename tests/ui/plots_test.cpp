@@ -20,7 +20,7 @@ Scene swinging() {
 void run_with_plots(GuiFixture& gui) {
   gui.key(letter('P'));
   gui.app().handle(Request(Control(RunTo{2.0})));
-  for (int i = 0; i < 2000 && (gui.status().run.running || gui.status().run.frames == 0); ++i) gui.frame();
+  EXPECT_TRUE(gui.wait_for_end_of_run());
   gui.app().resize({1280.0, 800.0}, 1.0);
   gui.frames(2);
 }

@@ -94,10 +94,7 @@ TEST(Lesson, ChecksOffEachStepWhenItIsDoneAndNotBefore) {
   gui.key(Key::Space);
   gui.key(letter('M'), {.control = true, .shift = true});
   EXPECT_EQ(done(), 15u);
-  for (int i = 0; i < 6000 && !gui.app().panel_input({}).comparison.result; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    gui.frame();
-  }
+  EXPECT_TRUE(gui.wait_until([&] { return !(!gui.app().panel_input({}).comparison.result); }));
   const auto compared = gui.app().panel_input({}).comparison.result;
   ASSERT_TRUE(compared && !compared->record.rows.empty());
   EXPECT_EQ(done(), 15u);

@@ -85,14 +85,14 @@ TEST(Sliders, ATypedNumberIsAppliedWhenFinishedAndClampedWithAMessage) {
   gui.click({500.0, 600.0});
   gui.frames(2);
   EXPECT_EQ(value_of(gui, "stiffness"), 250.0);
-  EXPECT_EQ(gui.app().panels().toast, "");
+  EXPECT_EQ(gui.app().panels().messages.toast, "");
 
   gui.click(gui.find("side", {"substeps", "##value"}), Button::Left, {.control = true});
   gui.type("5000");
   gui.click({500.0, 600.0});
   gui.frames(2);
   EXPECT_EQ(value_of(gui, "substeps"), 1000.0);
-  EXPECT_EQ(gui.app().panels().toast, "Substeps must be between 1 and 1000");
+  EXPECT_EQ(gui.app().panels().messages.toast, "Substeps must be between 1 and 1000");
 }
 
 TEST(Sliders, StiffnessAppliesToTheSelectionIfThereIsOne) {

@@ -59,6 +59,60 @@ std::string text_of(GuiFixture& gui, const Accuracy& accuracy, const char* windo
   return text;
 }
 
+bool has_text_in(const char* window, ImU32 color, const std::string& words) {
+  std::string text;
+  for (const Sheet& sheet : read_sheets(*ImGui::GetDrawData()))
+    for (const Letter& letter : sheet.letters)
+      if (sheet.window == window && letter.color == color) append_utf8(text, letter.code);
+  return text.find(words) != std::string::npos;
+}
+
+TEST(StatusBar, TheLineAndThePanelHaveTheSameColorAndWords) {
+  GuiFixture gui(two_springs());
+  gui.resize({2560.0, 1440.0}, 1.0);
+  gui.app().panels().accuracy_shown = true;
+  Accuracy bad = measured(1.4e-5, {}, INFINITY);
+  bad.loss = Loss::Dissipated;
+  bad.energy.method = -0.448;
+  bad.energy_scale = 0.45;
+  text_of(gui, bad, "status");
+  EXPECT_TRUE(has_text_in("status", palette::bad, "motiondissipatedbythemethod:100%oftheenergy"));
+  EXPECT_TRUE(has_text_in("side", palette::bad, "motiondissipated"));
+  Accuracy doubtful = measured(2e-3, {}, INFINITY);
+  text_of(gui, doubtful, "status");
+  EXPECT_TRUE(has_text_in("status", palette::warning, "errorofaframe2mm"));
+  EXPECT_TRUE(has_text_in("side", palette::warning, "frame"));
+  text_of(gui, measured(1.4e-5, {}, 0.5), "status");
+  EXPECT_TRUE(has_text_in("status", palette::dim, "14\u03bcm/frame"));
+  EXPECT_TRUE(has_text_in("side", palette::dim, "14\u03bcm/frame"));
+}
+
+// A speed of the frames before is none of one that has been computed for seconds.
+TEST(StatusBar, SaysHowLongAFrameHasBeenComputed) {
+  GuiFixture gui(two_springs());
+  Status status = gui.status();
+  status.run.running = true;
+  status.run.speed = 0.85;
+  const PanelInput shown = gui.app().panel_input({});
+  for (const double seconds : {0.1, 4.0}) {
+    const PanelInput input{.status = status,
+                           .selection = shown.selection,
+                           .layout = shown.layout,
+                           .tools = shown.tools,
+                           .tool = shown.tool,
+                           .next_step = shown.next_step,
+                           .file = {},
+                           .waiting_seconds = seconds};
+    ImGui::NewFrame();
+    Requests requests;
+    build_panels(input, gui.app().panels(), requests);
+    ImGui::Render();
+    const std::string text = read_text(*ImGui::GetDrawData());
+    EXPECT_EQ(text.find("this frame: 4 s so far") != std::string::npos, seconds > 1.0) << text;
+    EXPECT_EQ(text.find("0.85\u00d7 real time") != std::string::npos, seconds < 1.0) << text;
+  }
+}
+
 // The error is what Hooke is for: everything else makes room for it.
 TEST(StatusBar, ShowsTheErrorAtEveryWidth) {
   GuiFixture gui(two_springs());

@@ -24,16 +24,15 @@ void Autosave::follow(const Status& status, LabThread& lab, double now, const st
   if (is_ready(writing_)) finish_writing();
   if (!session_.is_enabled() || copying_.valid() || writing_.valid()) return;
 
-  const Version version{status.history.edits, status.run.frames};
-  if (!status.history.unsaved || version == saved_) {
+  if (!status.history.unsaved || status.history.edits == saved_) {
     changed_since_.reset();
     return;
   }
   if (!changed_since_) changed_since_ = now;
   if (now - *changed_since_ < interval_) return;
   changed_since_.reset();
-  asked_ = version;
-  copying_ = lab.copy_scene();
+  asked_ = status.history.edits;
+  copying_ = lab.copy_scene(LabThread::Moment::Start);
 }
 
 void Autosave::start_writing(const std::function<void(Scene&)>& add_view_settings) {
@@ -59,7 +58,7 @@ void Autosave::discard() {
   copying_ = {};
   if (writing_.valid()) writing_.get();
   changed_since_.reset();
-  saved_ = {-1, -1};
+  saved_ = -1;
   session_.delete_autosave();
 }
 

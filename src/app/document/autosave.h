@@ -29,18 +29,14 @@ class Autosave {
   std::string take_error() { return std::exchange(error_, {}); }
 
  private:
-  struct Version {
-    long edits = 0, frames = 0;
-    bool operator==(const Version&) const = default;
-  };
   void start_writing(const std::function<void(Scene&)>& add_view_settings);
   void finish_writing();
 
   const Session& session_;
   double interval_ = 30.0;
-  Version saved_;                        // version in the copy
+  long saved_ = 0;                       // number of the edits in the copy
   std::optional<double> changed_since_;  // [s]
-  Version asked_;                        // version being written
+  long asked_ = 0;                       // of those in the copy being written
   std::future<std::shared_ptr<const Scene>> copying_;
   std::future<std::string> writing_;  // an error text, or empty
   std::string error_;

@@ -86,9 +86,9 @@ void Document::answer(Answer given) {
       pending_ = nullptr;
       return;
     case Answer::Overwrite:
-      return write_to(saving_to_);
+      return write_to(saving_.file);
     case Answer::SaveAs:
-      return ask_where_to_save();
+      return ask_where_to_save(saving_.moment);
     case Answer::MakeCopy:
       file_.clear();
       return begin();

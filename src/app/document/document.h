@@ -37,7 +37,8 @@ class Document {
   void answer(Answer given);
 
   void ask_what_to_open();
-  void ask_where_to_save();
+  // A file contains the start of the scene; the state of a run is saved to another one.
+  void ask_where_to_save(LabThread::Moment moment = LabThread::Moment::Start);
   void open_system_dialog(bool to_save);
   void save();
   // Asks first if that would replace changes made by other programs.
@@ -76,8 +77,9 @@ class Document {
   void read(const std::filesystem::path& file, const ImportOptions& options);
   void read_scene(const std::filesystem::path& file, const ImportOptions& options);
   void read_recording_file(const std::filesystem::path& file);
+  std::filesystem::path proposed_file() const;
   void write_to(const std::filesystem::path& file);
-  void finish_saving(const std::filesystem::path& file, const std::string& error);
+  void finish_saving(const std::filesystem::path& file, double time, const std::string& error);
   std::function<void(Scene&)> add_view_settings() const;
   void report_replay_difference();
   void check_file();
@@ -90,9 +92,13 @@ class Document {
   const UserSettings& settings_;
   Show show_;
 
-  std::filesystem::path file_;       // empty if there is none
-  std::filesystem::path saving_to_;  // pending until the user decides about changes made by other programs
-  std::function<void()> pending_;    // pending until the user decides about unsaved changes
+  std::filesystem::path file_;  // empty if there is none
+  struct Saving {
+    std::filesystem::path file;  // pending until the user decides about changes made by other programs
+    LabThread::Moment moment = LabThread::Moment::Start;
+  };
+  Saving saving_;
+  std::function<void()> pending_;  // pending until the user decides about unsaved changes
 
   RecentFiles recent_;
   Session session_;

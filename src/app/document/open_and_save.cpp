@@ -1,6 +1,8 @@
 // Document: opening and saving.
 #include "app/document/document.h"
 #include "app/document/files.h"
+#include "base/folder_listing.h"
+#include "base/number_text.h"
 #include "base/printable.h"
 #include "formats/open_file.h"
 
@@ -9,6 +11,10 @@ namespace {
 
 std::string name_of(const std::filesystem::path& file) { return printable(file.filename().native(), 60); }
 
+std::string time_text(double seconds) { return quantity_text(seconds, "s", 4); }
+
+std::vector<Choice> choices_to_save_elsewhere() { return {{"Save as...", Answer::SaveAs}, {"OK", Answer::Cancel}}; }
+
 }  // namespace
 
 void Document::ask_what_to_open() {
@@ -16,17 +22,26 @@ void Document::ask_what_to_open() {
   panels_.open_file_dialog(Dialog::Kind::Open, start_folder());
 }
 
-void Document::ask_where_to_save() {
+void Document::ask_where_to_save(LabThread::Moment moment) {
+  saving_.moment = moment;
   if (settings_.values().system_dialogs && has_system_dialog_) return open_system_dialog(true);
+  panels_.open_file_dialog(Dialog::Kind::Save, start_folder(), proposed_file().string());
+  if (moment == LabThread::Moment::Present)
+    panels_.dialog.title = "Save the state at t = " + time_text(status().snapshot->state.time) + " as";
+}
+
+std::filesystem::path Document::proposed_file() const {
   const std::filesystem::path folder = start_folder();
-  panels_.open_file_dialog(Dialog::Kind::Save, folder,
-                           has_own_file() ? file_.string() : (folder / (file_.empty() ? "untitled" : file_.stem())).string() + ".json");
+  if (saving_.moment == LabThread::Moment::Present) {
+    const std::filesystem::path name = file_.empty() ? "untitled" : file_.stem();
+    return free_name(folder, name.string() + "-" + number_text(status().snapshot->state.time, 4) + "s", ".json");
+  }
+  return has_own_file() ? file_ : folder / ((file_.empty() ? "untitled" : file_.stem().string()) + ".json");
 }
 
 void Document::open_system_dialog(bool to_save) {
   const auto kind = to_save ? SystemDialog::Kind::Save : SystemDialog::Kind::Open;
-  const std::filesystem::path start =
-      to_save ? start_folder() / (has_own_file() ? file_.filename() : "untitled.json") : start_folder() / "";
+  const std::filesystem::path start = to_save ? proposed_file() : start_folder() / "";
   if (!system_dialog_.start(kind, start)) panels_.show_message("No native file dialog found", "Install zenity or kdialog to use one.");
 }
 
@@ -81,6 +96,7 @@ void Document::play(std::shared_ptr<const Recording> recording) {
 }
 
 void Document::save() {
+  saving_.moment = LabThread::Moment::Start;
   if (!has_own_file()) return ask_where_to_save();
   save_to(file_);
 }
@@ -90,7 +106,13 @@ void Document::save_to(const std::filesystem::path& file) {
     pending_ = nullptr;
     return panels_.show_message("Cannot save the scene", name_of(file) + ": scenes are saved as .json; use Export for other formats.");
   }
-  saving_to_ = file;
+  if (saving_.moment == LabThread::Moment::Present && file == file_)
+    return panels_.show_message("Choose another file",
+                                name_of(file) +
+                                    " is the file of the open scene, which contains its start. \"Set as start\" and \"Save\" make " +
+                                    "the present state the start of the scene.",
+                                choices_to_save_elsewhere());
+  saving_.file = file;
   const std::vector<Choice> choices = {{"Save as...", Answer::SaveAs}, {"Replace", Answer::Overwrite}, {"Cancel", Answer::Cancel}};
   if (file == file_ && watch_.check() == FileWatch::Change::Modified)
     return panels_.show_message("File changed",
@@ -103,23 +125,27 @@ void Document::save_to(const std::filesystem::path& file) {
 }
 
 void Document::write_to(const std::filesystem::path& file) {
-  auto copy = std::make_shared<std::future<std::shared_ptr<const Scene>>>(context_.lab.copy_scene());
+  auto copy = std::make_shared<std::future<std::shared_ptr<const Scene>>>(context_.lab.copy_scene(saving_.moment));
   start_task("Saving " + name_of(file),
              [this, file, copy, add_view_settings = add_view_settings()](const Progress& progress) -> BackgroundTask::Completion {
                Scene scene = *copy->get();
                add_view_settings(scene);
-               return [this, file, error = try_save(scene, file, progress)] { finish_saving(file, error); };
+               return [this, file, time = scene.state.time, error = try_save(scene, file, progress)] { finish_saving(file, time, error); };
              });
 }
 
-void Document::finish_saving(const std::filesystem::path& file, const std::string& error) {
+// `time`: of the state in the file [s].
+void Document::finish_saving(const std::filesystem::path& file, double time, const std::string& error) {
   if (!error.empty()) {
     pending_ = nullptr;
     if (task_.was_stopped()) return panels_.show_toast("Canceled: nothing was saved");
     return panels_.show_message("Cannot save the scene",
                                 error + "\n\nNothing is lost: the scene is still open, and an existing file is unchanged.",
-                                {{"Save as...", Answer::SaveAs}, {"OK", Answer::Cancel}});
+                                choices_to_save_elsewhere());
   }
+  const std::string shown = printable(file.native());
+  if (saving_.moment == LabThread::Moment::Present)
+    return panels_.show_toast("Saved the state at t = " + time_text(time) + " to " + shown + "; the open scene is unchanged");
   const bool moved = file_ != file;
   file_ = file;
   context_.lab.submit(MarkSaved{});
@@ -129,7 +155,8 @@ void Document::finish_saving(const std::filesystem::path& file, const std::strin
   watch_.take(file_);
   recent_.add(file_);
   if (moved) session_.set_document(file_, status().document->name);
-  panels_.show_toast("Saved " + printable(file.native()));
+  const double now = status().snapshot->state.time;
+  panels_.show_toast("Saved " + shown + (now == time ? "" : ": the start of the scene, not its state at t = " + time_text(now)));
   continue_after_saving();
 }
 

@@ -107,6 +107,7 @@ Scene part_of(const Placement& placement, const Scene* mesh, const Vec3& up, boo
     if (mesh == nullptr) return part;
     part = scaled(*mesh, placement.mesh_size);
     set_material(part, {placement.mesh_density, placement.mesh_stiffness, placement.mesh_damping});
+    for (Index i = 0; placement.is_obstacle && i < part.system.point_count(); ++i) part.system.point(i).nailed = true;
     if (!is_flat) turn(part, placement.shape.turn, placement.shape.tilt);
   } else {
     Shape shape = placement.shape;

@@ -51,6 +51,21 @@ void Placer::start(const ShapeKind* shape) {
   place_in_sight();
 }
 
+// A third of the height of the view [m].
+double Placer::size_in_view() const {
+  return context_.camera.meters_per_pixel(context_.camera.target, context_.size) * context_.size.y / 3.0;
+}
+
+void Placer::start(const ColliderKind& kind) {
+  mesh_.reset();
+  const Vec3 up = context_.system().dimensions == 2 ? Vec3(0.0, 1.0, 0.0) : context_.camera.pole;
+  const Dock dock = placement_dock(layout_, context_.scale);
+  const double left = dock.is_over_scene ? dock.place.x + dock.place.width - layout_.scene.x : 0.0;
+  const Vec3 at = context_.point_in_view_plane({0.5 * (left + context_.size.x), 0.5 * context_.size.y}, context_.camera.target);
+  panels_.placement = {};
+  panels_.placement.collider = kind.make(at, size_in_view(), up);
+}
+
 // The material that suits cloth of the size of the mesh.
 void Placer::set_material_for_size() {
   Placement& placement = panels_.placement;
@@ -124,6 +139,13 @@ void Placer::read_mesh(const std::filesystem::path& file) {
 }
 
 void Placer::place() {
+  if (const auto& collider = panels_.placement.collider) {
+    std::vector<Collider> colliders = carried_colliders(context_.system(), context_.snapshot().state);
+    context_.selection = {.points = {}, .springs = {}, .collider = static_cast<Index>(colliders.size())};
+    colliders.push_back(*collider);
+    context_.lab.submit(SetColliders{std::move(colliders)}, context_.begin_gesture());
+    return stop();
+  }
   const Scene placed = part();
   if (placed.system.point_count() == 0) return panels_.show_toast("Nothing to place yet");
   // in an empty scene, the mesh looks as it does when its file is opened
@@ -143,12 +165,22 @@ void Placer::follow(const Pointer& pointer) {
     is_pressed_ = false;
     return;
   }
+  if (auto& collider = panels_.placement.collider) {
+    const Vec3 from = anchor_of(*collider);
+    if (is_pressed_) collider = translated(*collider, context_.point_in_view_plane(pointer.at, from) - from);
+    return;
+  }
   Vec3& at = panels_.placement.shape.at;
   if (is_pressed_) at = context_.point_in_view_plane(pointer.at, at);
   if (context_.system().dimensions == 2) at.z = 0.0;
 }
 
-void Placer::mark(Marks& marks) const { mark_part(part(), marks); }
+void Placer::mark(Marks& marks) const {
+  if (const auto& collider = panels_.placement.collider)
+    marks.ghost_lines = outline_of(*collider, size_in_view());
+  else
+    mark_part(part(), marks);
+}
 
 Scene Placer::part() const { return part_of(panels_.placement, mesh_.get(), context_.camera.pole, context_.system().dimensions == 2); }
 

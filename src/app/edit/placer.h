@@ -17,6 +17,7 @@ class Placer {
 
   // Starts where the camera looks; a mesh if `shape` is null.
   void start(const ShapeKind* shape);
+  void start(const ColliderKind& kind);
   void stop() { panels_.placement.stop(); }
   bool is_on() const { return panels_.placement.is_on(); }
   void read_mesh(const std::filesystem::path& file);
@@ -32,6 +33,7 @@ class Placer {
 
  private:
   Scene part() const;
+  double size_in_view() const;
   void set_material_for_size();
   void place_in_sight();
   Scene preview_at(const glm::dvec2& cursor);

@@ -88,7 +88,10 @@ void SelectionEditor::insert(const Scene& part, const Vec3& displacement) {
 
 void SelectionEditor::delete_selection() {
   if (context_.selection.empty()) return;
-  context_.lab.submit(Remove{context_.selection.points, context_.selection.springs});
+  if (const auto collider = context_.selection.collider)
+    context_.lab.submit(removal_of_collider(*collider, context_));
+  else
+    context_.lab.submit(Remove{context_.selection.points, context_.selection.springs});
   context_.selection = {};
 }
 

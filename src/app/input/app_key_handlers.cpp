@@ -12,7 +12,7 @@ KeyHandlers App::make_key_handlers() {
   const auto close = [this](bool& shown, const KeyPress& press) {
     if (!shown || press.key != Key::Escape) return false;
     shown = false;
-    panels_.toast.clear();
+    panels_.messages.toast.clear();
     return true;
   };
 
@@ -34,7 +34,7 @@ KeyHandlers App::make_key_handlers() {
       {"menu",
        [this, pass_on](const KeyPress& press) {
          if (!panels_.menu_is_open || (press.key != Key::Escape && press.key != Key::Enter)) return false;
-         panels_.toast.clear();
+         panels_.messages.toast.clear();
          pass_on(Target::Menu, press);
          return true;
        }},

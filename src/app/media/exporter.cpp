@@ -52,7 +52,7 @@ void Exporter::start() {
 
 void Exporter::export_frames(const FileKind& kind) {
   const ExportState& state = panels_.export_state;
-  Scene scene = *context_.lab.copy_scene().get();
+  Scene scene = *context_.lab.copy_scene(LabThread::Moment::Present).get();
   FrameExport wanted{.file = file_, .seconds = state.seconds, .quantities = {}};
   if (kind.has_quantities)
     if (const std::string error = read_quantities(state.quantities, scene.system, wanted.quantities); !error.empty())
@@ -74,7 +74,7 @@ void Exporter::export_frames(const FileKind& kind) {
 }
 
 void Exporter::export_state() {
-  auto copy = std::make_shared<std::future<std::shared_ptr<const Scene>>>(context_.lab.copy_scene());
+  auto copy = std::make_shared<std::future<std::shared_ptr<const Scene>>>(context_.lab.copy_scene(LabThread::Moment::Present));
   task_.start("Exporting " + printable(file_.filename().native(), 60),
               [this, file = file_, copy](const Progress&) -> BackgroundTask::Completion {
                 try {

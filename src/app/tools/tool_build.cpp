@@ -51,6 +51,31 @@ void mark_attachment(PointId first, const Pointer& pointer, const ToolContext& c
   if (!marks.hovered_point) marks.ghost_point = to;
 }
 
+// What new points are like. Computed when the scene or its defaults have changed: a large scene has many points.
+class NewPoints {
+ public:
+  const NewPoint& like(const ToolContext& context) const {
+    const Defaults& defaults = context.status->document->defaults;
+    if (system_ != context.snapshot().system || defaults_ != defaults) {
+      system_ = context.snapshot().system;
+      defaults_ = defaults;
+      point_ = new_point_like(defaults, *system_);
+    }
+    return point_;
+  }
+  Vec3 place(const Pointer& pointer, const ToolContext& context) const { return context.place_for_point(pointer, like(context).radius); }
+  PointId add(const Pointer& pointer, ToolContext& context) const {
+    const PlacedPoint added = placed(like(context), place(pointer, context), context);
+    context.lab.submit(Insert{.points = {added}});
+    return added.point.id;
+  }
+
+ private:
+  mutable std::shared_ptr<const System> system_;  // that point_ was chosen for; null: none
+  mutable Defaults defaults_;
+  mutable NewPoint point_;
+};
+
 constexpr const char* snapping = "; Ctrl snaps to the grid";
 
 // A click adds a point. A drag from a point adds the next one and attaches it.
@@ -59,9 +84,7 @@ class AddTool : public Tool {
   void press(const Pointer& pointer, ToolContext& context) override {
     pressed_at_ = pointer.at;
     first_ = context.point_at(pointer.at);
-    if (first_) return;
-    const NewPoint& point = point_like(context);
-    context.lab.submit(Insert{.points = {placed(point, context.place_for_point(pointer, point.radius), context)}});
+    if (!first_) new_points_.add(pointer, context);
   }
 
   void release(const Pointer& pointer, ToolContext& context) override {
@@ -80,26 +103,13 @@ class AddTool : public Tool {
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
     if (first_ && context.is_drag(pressed_at_, pointer.at)) return mark_attachment(*first_, pointer, context, marks);
     marks.hovered_point = context.point_at(pointer.at);
-    if (!marks.hovered_point) marks.ghost_point = context.place_for_point(pointer, point_like(context).radius);
+    if (!marks.hovered_point) marks.ghost_point = new_points_.place(pointer, context);
   }
 
  private:
-  // Computed when the scene or its defaults have changed: a large scene has many points.
-  const NewPoint& point_like(const ToolContext& context) const {
-    const Defaults& defaults = context.status->document->defaults;
-    if (system_ != context.snapshot().system || defaults_ != defaults) {
-      system_ = context.snapshot().system;
-      defaults_ = defaults;
-      point_ = new_point_like(defaults, *system_);
-    }
-    return point_;
-  }
-
   std::optional<PointId> first_;  // that a drag began at
   glm::dvec2 pressed_at_{0.0};
-  mutable std::shared_ptr<const System> system_;  // that point_ was chosen for; null: none
-  mutable Defaults defaults_;
-  mutable NewPoint point_;
+  NewPoints new_points_;
 };
 
 // Clicks attach point after point until Esc; a drag attaches two. Where there is no point, one is added.
@@ -107,7 +117,11 @@ class AttachTool : public Tool {
  public:
   void press(const Pointer& pointer, ToolContext& context) override {
     pressed_at_ = pointer.at;
-    const auto point = context.point_at(pointer.at);
+    auto point = context.point_at(pointer.at);
+    if (!first_ && !point) {
+      point = new_points_.add(pointer, context);
+      context.settle();
+    }
     ends_ = first_ && point == first_;
     if (!first_ || ends_)
       first_ = point;
@@ -133,15 +147,17 @@ class AttachTool : public Tool {
 
   std::string next_step(const ToolContext&) const override {
     return first_ ? std::string("click the next point, or where to add one; the same point or Esc ends") + snapping
-                  : "click the first point, or drag from a point to the next";
+                  : std::string("click the first point, or where to add one; or drag to the next") + snapping;
   }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
+    if (first_) return mark_attachment(*first_, pointer, context, marks);
     marks.hovered_point = context.point_at(pointer.at);
-    if (first_) mark_attachment(*first_, pointer, context, marks);
+    if (!marks.hovered_point) marks.ghost_point = new_points_.place(pointer, context);
   }
 
  private:
+  NewPoints new_points_;
   std::optional<PointId> first_;
   glm::dvec2 pressed_at_{0.0};
   bool may_be_drag_ = false, ends_ = false;
@@ -151,7 +167,10 @@ class NailTool : public Tool {
  public:
   void press(const Pointer& pointer, ToolContext& context) override {
     const auto point = context.point_at(pointer.at);
-    if (!point) return;
+    if (!point) {
+      context.notice = "There is no point here to nail or release";
+      return;
+    }
     const bool nailed = context.system().points()[context.system().index_of(*point)].nailed;
     context.lab.submit(SetNailed{{{*point, !nailed}}});
   }
@@ -170,13 +189,19 @@ class DeleteTool : public Tool {
       context.lab.submit(Remove{.points = {*point}});
     else if (const auto spring = context.spring_at(pointer.at))
       context.lab.submit(Remove{.springs = {*spring}});
+    else if (const auto hit = context.collider_at(pointer.at))
+      context.lab.submit(removal_of_collider(hit->collider, context));
+    else
+      context.notice = "There is nothing here to delete";
   }
 
-  std::string next_step(const ToolContext&) const override { return "click a point or a spring; Del deletes the selection"; }
+  std::string next_step(const ToolContext&) const override { return "click a point, a spring or a body; Del deletes the selection"; }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
     marks.hovered_point = context.point_at(pointer.at);
     if (!marks.hovered_point) marks.hovered_spring = context.spring_at(pointer.at);
+    if (marks.hovered_point || marks.hovered_spring) return;
+    if (const auto hit = context.collider_at(pointer.at)) marks.hovered_collider = hit->collider;
   }
 };
 

@@ -17,6 +17,7 @@ constexpr double min_reach = 8.0;
 
 void ToolContext::take_status() {
   const auto before = std::exchange(status, lab.status());
+  if (!status->run.running || before->run.frames != status->run.frames) frame_seen = std::chrono::steady_clock::now();
   if (before->snapshot->system != status->snapshot->system) selection = existing_part_of(system(), selection);
 }
 
@@ -24,6 +25,12 @@ bool ToolContext::settle() {
   const bool settled = lab.settle(patience);
   take_status();
   return settled;
+}
+
+SetColliders removal_of_collider(Index collider, const ToolContext& context) {
+  std::vector<Collider> colliders = carried_colliders(context.system(), context.snapshot().state);
+  colliders.erase(colliders.begin() + collider);
+  return {std::move(colliders)};
 }
 
 std::optional<PointId> ToolContext::point_at(const glm::dvec2& cursor) const {

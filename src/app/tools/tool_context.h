@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "draw/camera.h"
 #include "lab/lab_thread.h"
@@ -28,7 +29,9 @@ struct ToolContext {
   glm::dvec2 size{1.0};  // [px], size of the scene's view
   double scale = 1.0;    // pixels per unit of design
   bool shows_surface = true;
-  std::chrono::milliseconds patience{50};  // the maximum time that an event waits for the previous one to take effect
+  std::string notice{};                                // why a tool did nothing, until it is shown
+  std::chrono::steady_clock::time_point frame_seen{};  // when the last frame was, or the scene was paused
+  std::chrono::milliseconds patience{50};              // the maximum time that an event waits for the previous one to take effect
 
   const Snapshot& snapshot() const { return *status->snapshot; }
   const System& system() const { return *snapshot().system; }
@@ -62,5 +65,8 @@ struct ToolContext {
 
   Gesture begin_gesture() { return ++last_gesture; }
 };
+
+// The command that removes a collider.
+SetColliders removal_of_collider(Index collider, const ToolContext& context);
 
 }  // namespace hooke

@@ -11,17 +11,20 @@ class CutTool : public Tool {
   void press(const Pointer& pointer, ToolContext& context) override {
     gesture_ = context.begin_gesture();
     path_ = {pointer.at};
+    has_cut_ = false;
   }
 
   void follow(const Pointer& pointer, ToolContext& context) override {
     if (path_.empty() || pointer.at == path_.back()) return;
     const auto crossed = springs_across(context.snapshot(), context.view_transform(), path_.back(), pointer.at);
     path_.push_back(pointer.at);
+    has_cut_ = has_cut_ || !crossed.empty();
     if (!crossed.empty()) context.lab.submit(removal_of_broken(context.system(), crossed), gesture_);
   }
 
   void release(const Pointer& pointer, ToolContext& context) override {
     follow(pointer, context);
+    if (!has_cut_ && !path_.empty()) context.notice = "No spring was crossed: drag across springs or the cloth";
     path_.clear();
   }
 
@@ -36,6 +39,7 @@ class CutTool : public Tool {
  private:
   std::vector<glm::dvec2> path_;  // [px], since the press
   Gesture gesture_ = 0;
+  bool has_cut_ = false;
 };
 
 }  // namespace

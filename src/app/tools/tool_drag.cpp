@@ -44,7 +44,7 @@ class DragTool : public Tool {
  public:
   void press(const Pointer& pointer, ToolContext& context) override {
     grab_target_ = grab_target_at(context, pointer.at);
-    if (!grab_target_) collider_.begin(pointer.at, DraggableColliders::All, context);
+    if (!grab_target_ && !collider_.begin(pointer.at, DraggableColliders::All, context)) context.notice = "There is nothing here to drag";
     if (!grab_target_) return;
     gesture_ = context.begin_gesture();
     has_hand_ = has_moved_ = false;

@@ -1,8 +1,10 @@
 // Select and move: a click selects, dragging a point moves the selection, dragging from empty space selects a box.
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "app/tools/collider_drag.h"
 #include "app/tools/tools.h"
+#include "scene/collider_kinds.h"
 
 namespace hooke {
 namespace {
@@ -17,7 +19,11 @@ class SelectTool : public Tool {
       context.selection = select_connected(context.system(), context.selection);
       return;
     }
-    if (const auto point = context.point_at(pointer.at))
+    if (const auto handle = handle_at(pointer.at, context)) {
+      handle_ = *handle;
+      gesture_ = context.begin_gesture();
+      interaction_ = Interaction::Sizing;
+    } else if (const auto point = context.point_at(pointer.at))
       press_point(*point, add, context);
     else if (const auto spring = context.spring_at(pointer.at))
       select(*spring, add, context.selection);
@@ -31,6 +37,7 @@ class SelectTool : public Tool {
     current_ = pointer.at;
     if (interaction_ == Interaction::Waiting && context.is_drag(pressed_at_, pointer.at)) begin_move(context);
     if (interaction_ == Interaction::Moving) move(context);
+    if (interaction_ == Interaction::Sizing) size(context);
     if (interaction_ == Interaction::Collider && (collider_moves_ || context.is_drag(pressed_at_, pointer.at))) {
       collider_moves_ = true;
       collider_.follow(pointer.at, context);
@@ -40,7 +47,8 @@ class SelectTool : public Tool {
   void release(const Pointer& pointer, ToolContext& context) override {
     follow(pointer, context);
     if (interaction_ == Interaction::Box) select_box(pointer, context);
-    if (interaction_ == Interaction::Collider && !collider_moves_ && !pointer.modifiers.shift) context.selection = {};
+    if (interaction_ == Interaction::Collider && !collider_moves_)
+      context.selection = {.points = {}, .springs = {}, .collider = collider_.collider()};
     collider_.end(context);
     if (interaction_ == Interaction::Waiting) context.selection = {{point_}, {}};
     *this = {};
@@ -48,7 +56,7 @@ class SelectTool : public Tool {
 
   bool cancel(ToolContext& context) override {
     const bool busy = interaction_ != Interaction::Nothing;
-    if (interaction_ == Interaction::Moving) context.lab.submit(Undo{});
+    if (interaction_ == Interaction::Moving || is_sized_) context.lab.submit(Undo{});
     collider_.revert(context);
     *this = {};
     return busy;
@@ -56,14 +64,16 @@ class SelectTool : public Tool {
 
   std::string next_step(const ToolContext& context) const override {
     if (interaction_ == Interaction::Moving) return "release to finish, Esc undoes";
-    if (interaction_ == Interaction::Collider) return "move and release; Esc undoes";
+    if (interaction_ == Interaction::Collider || interaction_ == Interaction::Sizing) return "move and release; Esc undoes";
     if (interaction_ == Interaction::Box) return "drag a box around what to select";
+    if (context.selection.collider) return "drag the body to move it, its handles to size it; Del deletes it";
     if (!context.selection.empty()) return "drag a selected point to move all; Shift+click adds; double-click selects connected";
     return "click a point or a spring, or drag a box from empty space";
   }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
     marks.hovered_collider = collider_.collider();
+    mark_handles(context, marks);
     if (interaction_ != Interaction::Nothing) return;
     marks.hovered_point = context.point_at(pointer.at);
     if (!marks.hovered_point) marks.hovered_spring = context.spring_at(pointer.at);
@@ -77,7 +87,53 @@ class SelectTool : public Tool {
   }
 
  private:
-  enum class Interaction { Nothing, Waiting, Moving, Box, Collider };
+  enum class Interaction { Nothing, Waiting, Moving, Box, Collider, Sizing };
+
+  // The selected collider where it is now; none if there is none.
+  static std::optional<Collider> selected_collider(const ToolContext& context) {
+    const auto& selected = context.selection.collider;
+    const System& system = context.system();
+    if (!selected || *selected >= static_cast<Index>(system.colliders.size())) return std::nullopt;
+    return carried_colliders(system, context.snapshot().state)[static_cast<std::size_t>(*selected)];
+  }
+
+  // The length of the normal of a plane that is drawn [m].
+  static double plane_size(const ToolContext& context) {
+    return context.camera.meters_per_pixel(context.camera.target, context.size) * context.size.y / 3.0;
+  }
+
+  static std::optional<std::size_t> handle_at(const glm::dvec2& cursor, const ToolContext& context) {
+    const auto collider = selected_collider(context);
+    if (!collider) return std::nullopt;
+    constexpr double reach = 10.0;  // [design units]
+    const std::vector<Vec3> handles = handles_of(*collider, context.system().dimensions, plane_size(context));
+    for (std::size_t i = 0; i < handles.size(); ++i)
+      if (const auto seen = project_to_screen(context.view_transform(), handles[i]);
+          seen && glm::distance(*seen, cursor) <= reach * context.scale)
+        return i;
+    return std::nullopt;
+  }
+
+  static void mark_handles(const ToolContext& context, Marks& marks) {
+    const auto collider = selected_collider(context);
+    if (!collider) return;
+    const double size = plane_size(context);
+    marks.ghost_lines = outline_of(*collider, size);
+    marks.ghost_nails = handles_of(*collider, context.system().dimensions, size);
+  }
+
+  void size(ToolContext& context) {
+    const auto collider = selected_collider(context);
+    const bool moved = is_sized_ || context.is_drag(pressed_at_, current_);
+    if (!collider || !moved) return;
+    const std::vector<Vec3> handles = handles_of(*collider, context.system().dimensions, plane_size(context));
+    std::vector<Collider> colliders = carried_colliders(context.system(), context.snapshot().state);
+    Collider& mine = colliders[static_cast<std::size_t>(*context.selection.collider)];
+    mine = with_handle_at(mine, handle_, context.point_in_view_plane(current_, handles[handle_]));
+    if (mine == *collider) return;
+    context.lab.submit(SetColliders{std::move(colliders)}, gesture_);
+    is_sized_ = true;
+  }
 
   template <class Id>
   static void select(Id id, bool add, Selection& selection) {
@@ -118,6 +174,9 @@ class SelectTool : public Tool {
 
   void select_box(const Pointer& pointer, ToolContext& context) const {
     Selection found;
+    // a click on a plane, which a drag does not move
+    if (!context.is_drag(pressed_at_, pointer.at) && !pointer.modifiers.shift)
+      if (const auto hit = context.collider_at(pointer.at)) found.collider = hit->collider;
     if (context.is_drag(pressed_at_, pointer.at))
       found = select_with_springs_between(context.system(),
                                           points_in_box(context.snapshot(), context.view_transform(), pressed_at_, pointer.at));
@@ -131,7 +190,8 @@ class SelectTool : public Tool {
   glm::dvec2 pressed_at_{0.0}, current_{0.0};
   PointId point_{};
   ColliderDrag collider_;
-  bool collider_moves_ = false;
+  bool collider_moves_ = false, is_sized_ = false;
+  std::size_t handle_ = 0;  // of the selected collider
   Gesture gesture_ = 0;
   Vec3 anchor_{0.0}, from_{0.0}, displacement_{0.0};
   std::vector<std::pair<PointId, Vec3>> start_;

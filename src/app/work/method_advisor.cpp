@@ -19,7 +19,7 @@ void MethodAdvisor::follow(const Status& status, bool is_wanted) {
   key_ = now;
   stop_ = false;
   pending_ = std::async(std::launch::async,
-                        [this, copy = status.snapshot] { return find_cheaper_method(*copy->system, copy->state, copy->settings, stop_); });
+                        [this, copy = status.snapshot] { return advise_on_cost(*copy->system, copy->state, copy->settings, stop_); });
 }
 
 }  // namespace hooke

@@ -1,10 +1,10 @@
-// Looks for a cheaper method for the scene on screen in a background thread, while the panel of the accuracy is open.
+// Looks for better settings for the scene on screen in a background thread, while the panel of the accuracy is open.
 #pragma once
 
 #include <future>
 
 #include "lab/status.h"
-#include "study/cheaper_method.h"
+#include "study/cost_advice.h"
 
 namespace hooke {
 
@@ -14,8 +14,8 @@ class MethodAdvisor {
 
   // Once per frame: takes a finished search, and starts another if the scene or its settings changed since.
   void follow(const Status& status, bool is_wanted);
-  // None: not found, or not yet.
-  const std::optional<CheaperMethod>& newest() const { return newest_; }
+  // None: not yet.
+  const std::optional<CostAdvice>& newest() const { return newest_; }
 
  private:
   struct Key {
@@ -25,9 +25,9 @@ class MethodAdvisor {
     bool operator==(const Key&) const = default;
   };
   Key key_;
-  std::optional<CheaperMethod> newest_;
+  std::optional<CostAdvice> newest_;
   std::atomic<bool> stop_ = false;
-  std::future<std::optional<CheaperMethod>> pending_;  // last: it is waited for before anything that it uses is destroyed
+  std::future<CostAdvice> pending_;  // last: it is waited for before anything that it uses is destroyed
 };
 
 }  // namespace hooke

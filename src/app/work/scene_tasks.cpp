@@ -6,7 +6,7 @@ void start_comparison(ResultTask<MethodComparison>& task, const Status& status) 
   constexpr double seconds = 1.0;
   if (status.snapshot->system->point_count() == 0) return;
   task.start("Comparing methods", [snapshot = status.snapshot](const Progress& progress) {
-    return compare_methods(*snapshot->system, snapshot->state, seconds, comparison_effort, progress);
+    return compare_methods(*snapshot->system, snapshot->state, seconds, comparison_effort, progress, snapshot->settings.frame_rate);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <utility>
 
 #include "lab/accuracy/accuracy_text.h"
 #include "sim/contact/contact.h"
@@ -13,8 +14,15 @@
 namespace hooke {
 namespace {
 
-// One frame in this many is repeated, at twice its cost: 5 % of the run. Sooner after an edit.
-constexpr int repetition_period = 40, period_after_edit = 12;
+// One frame in this many is repeated, at twice its cost: 5 % of the run.
+constexpr int repetition_period = 40;
+// [s], of simulated time: after an edit, and where the cost of the second runs is accepted anyway, the next one follows in less, so that no
+// older value is shown.
+constexpr double max_age = 0.16;
+
+int repetition_period_of(double frame_rate, bool is_short) {
+  return is_short ? static_cast<int>(std::clamp(max_age * frame_rate, 1.0, static_cast<double>(repetition_period))) : repetition_period;
+}
 // Where things touch, impacts, friction and points that stick decide how fast the error falls with the step: every fourth repeated frame
 // is also computed with a quarter of the step, at four times its cost.
 constexpr int order_period = 4;
@@ -103,9 +111,13 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
 
   ++frames_since_repetition_;
   const bool is_first = !repetition_.result() && !repetition_.has_failed();
-  const bool is_due = is_first || frames_since_repetition_ >= (is_edited_ ? period_after_edit : repetition_period);
+  // the first frame in which something touches may be a thousand times as wrong as those before it
+  const bool is_touching = motion.contact_work != 0.0 || motion.counts.contact_impulses > 0;
+  const bool is_impact = !std::exchange(was_touching_, is_touching) && is_touching;
+  const bool is_due = is_first || is_impact ||
+                      frames_since_repetition_ >= repetition_period_of(settings.frame_rate, is_edited_ || mode_ == AccuracyMode::Full);
   // what a method gains where a spring breaks says nothing of the frames that follow
-  if (is_due && motion.breaks.empty() && !repetition_.is_in_progress()) {
+  if (is_due && motion.breaks.empty() && (is_impact || !repetition_.is_in_progress())) {
     const bool collapses = settings.integrator->stability != Stability::Adaptive && !is_automatic(settings) && can_collapse(system, before);
     collapses_ = collapses && !touches_;
     repetition_.begin(plan, system, settings, before, after, motion.counts.force_evaluations,

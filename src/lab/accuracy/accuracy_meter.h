@@ -52,9 +52,9 @@ class AccuracyMeter {
 
   AccuracyMode mode_ = AccuracyMode::Off;
   bool is_started_ = false;
-  bool is_edited_ = false;  // since the last repeated frame
-  double size_ = 1.0;       // [m]
-  int order_ = 1;           // of the method on this scene
+  bool is_edited_ = false, was_touching_ = false;  // since the last repeated frame; in the last frame
+  double size_ = 1.0;                              // [m]
+  int order_ = 1;                                  // of the method on this scene
   // Whether something may touch there, or a strain limit act: then the order is measured, or unknown for a method that adapts its step.
   bool touches_ = false, ignores_tolerance_ = false;
   bool collapses_ = false;      // whether springs of the repeated frame could pass through zero length, where nothing touches

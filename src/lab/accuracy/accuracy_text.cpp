@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "base/number_text.h"
+#include "lab/accuracy/judgement.h"
 #include "sim/control/automatic.h"
 
 namespace hooke {
@@ -15,33 +16,12 @@ namespace {
 constexpr double min_predictable = 0.1;  // [s]
 // The second runs may be late: an accumulated error that is this much older than the error of a frame is shown with its time [s].
 constexpr double max_delay = 0.5;
-
-// Accumulated errors above this part of the motion are warned about.
-constexpr double max_part_of_motion = 0.05;
-// Relative to the size: what is less is hardly a motion, nor an error.
-constexpr double min_error = 1e-6;
-
-// "43 % of the motion", "12 times the motion"
-std::string part_of_motion_text(double part) {
-  if (part < 1.0) return number_text(100.0 * part, 2) + " % of the motion";
-  constexpr double max_shown = 1000.0;
-  return (part > max_shown ? "more than 1000" : number_text(part, 2)) + " times the motion";
-}
-
-bool is_large(const Accuracy& accuracy, double error) {
-  return error > std::max(max_part_of_motion * accuracy.motion, min_error * accuracy.size);
-}
+// A value that is older is shown with its age [s].
+constexpr double max_hidden_age = 0.2;
 
 std::string largest_error_text(const Accuracy& accuracy) {
   return "error of up to " + length_text(accuracy.max_accumulated) + " at " + quantity_text(accuracy.max_accumulated_time, "s") + ", " +
          part_of_motion_text(accuracy.max_accumulated / accuracy.motion);
-}
-
-// The energy that the method gained or lost above this part of the supplied energy makes averages wrong, too: the limit of RunMonitor.
-constexpr double max_energy_error = 0.02;
-
-bool has_wrong_energy(const Accuracy& accuracy) {
-  return accuracy.energy_scale > 0.0 && !(std::abs(accuracy.energy.method()) <= max_energy_error * accuracy.energy_scale);
 }
 
 // What can be said where the positions cannot be predicted.
@@ -112,10 +92,22 @@ std::string accuracy_line(const Accuracy& accuracy) { return accuracy_lines(accu
 
 std::vector<std::string> accuracy_lines(const Accuracy& accuracy) {
   if (!accuracy.is_on) return {"error not measured: switched off", "error: off"};
-  if (!accuracy.frame.value) return {"error: " + std::string(accuracy.frame.reason), "error: not known"};
-  std::vector<std::string> lines{"error " + length_text(*accuracy.frame.value) + "/frame"};
+  const Judgement judgement = judge(accuracy);
+  std::vector<std::string> lines;
+  if (judgement.level != Judgement::Level::Good) lines = {judgement.text, judgement.brief};
   // the more detailed go before the shorter
   const auto add = [&](const std::string& part) { lines.insert(lines.begin(), lines.front() + part); };
+  if (!accuracy.frame.value && !lines.empty()) return lines;
+  if (!accuracy.frame.value && accuracy.estimated)
+    return {"error about " + length_text(*accuracy.estimated) + "/frame, as estimated by auto", "error: estimated"};
+  if (!accuracy.frame.value) return {"error: " + std::string(accuracy.frame.reason), "error: not known"};
+  const std::string error = "error " + length_text(*accuracy.frame.value) + "/frame";
+  if (lines.empty())
+    lines = {error};
+  else
+    add("; " + error);
+  if (const double age = accuracy.time - accuracy.frame_time; age > max_hidden_age * (1.0 + 1e-9))
+    add(" (" + quantity_text(age, "s", 2) + " ago)");
   if (accuracy.accumulated.value) {
     const bool is_late = accuracy.frame_time - accuracy.accumulated_time > max_delay;
     add(", " + length_text(*accuracy.accumulated.value) + " in total" +
@@ -142,15 +134,15 @@ std::optional<std::string> accumulated_warning(const Accuracy& accuracy, const S
     case Loss::NoSecondRun:
       return "accumulated error not known from " + quantity_text(accuracy.accumulated_time, "s") +
              " on: " + std::string(accuracy.accumulated.reason) + "; " +
-             (is_large(accuracy, accuracy.max_accumulated) ? largest_error_text(accuracy) + ": " : std::string()) +
+             (is_large_error(accuracy, accuracy.max_accumulated) ? largest_error_text(accuracy) + ": " : std::string()) +
              remedy_of(accuracy, settings);
   }
   if (!accuracy.accumulated.value) return std::nullopt;
   const double error = *accuracy.accumulated.value;
-  if (is_large(accuracy, error))
+  if (is_large_error(accuracy, error))
     return "accumulated error of about " + length_text(error) + ", " + part_of_motion_text(error / accuracy.motion) + ": " +
            remedy_of(accuracy, settings);
-  if (!is_large(accuracy, accuracy.max_accumulated)) return std::nullopt;
+  if (!is_large_error(accuracy, accuracy.max_accumulated)) return std::nullopt;
   return "accumulated " + largest_error_text(accuracy) + " (" + length_text(error) + " at " +
          quantity_text(accuracy.accumulated_time, "s") + "): " + remedy_of(accuracy, settings);
 }

@@ -11,6 +11,8 @@ namespace {
 
 // Relative to the size of the scene: the perturbation, and the distance up to which differences count as small.
 constexpr double perturbation = 1e-7, max_small = 1e-3;
+// Likewise: a run with half the step that is farther away has diverged.
+constexpr double max_distance = 1e4;
 // A measurement of growth is followed by a pause of this many times its length.
 constexpr int pause_factor = 3;
 // Frames that may wait, in number and in memory [bytes].
@@ -121,11 +123,12 @@ void SecondRuns::finish_frame(const System& system, Run& run) {
   const Input& input = input_of(run);
   const State& state = run.shadow.state();
   if (&run == &refined_) {
-    error_ = Error{weighted_distance(system, input.end, state.position, repetition_.weight).rms, input.end_time};
-    if (!max_error_ || error_->rms > max_error_->rms) max_error_ = error_;
+    const Error error{weighted_distance(system, input.end, state.position, repetition_.weight).rms, input.end_time};
     failed_ = run.shadow.failed();
-    diverged_ = !is_finite(state);
+    diverged_ = !is_finite(state) || !(error.rms <= max_distance * size_);
     if (failed_ || diverged_) run.is_on = false;
+    if (!diverged_ || !error_) error_ = error;
+    if (!max_error_ || error_->rms > max_error_->rms) max_error_ = error_;
   } else {
     ++measured_frames_;
     measurement_.add(weighted_distance(system, input.end, state.position, 1.0).rms, max_small * size_);

@@ -42,6 +42,22 @@ double StepLimits::stable_step(const Integrator& method) const {
   return stable_steps_.emplace_back(&method, largest_stable_step(method, spectrum_)).second;
 }
 
+bool StepLimits::is_set_by_contact(const Integrator& method) const {
+  Spectrum spectrum = spectrum_;
+  spectrum.contact = spectrum.points_touch = false;
+  return stable_step(method) < largest_stable_step(method, spectrum);
+}
+
+std::string StepLimits::limit_text(const Integrator& method, double frame_rate) const {
+  const auto substeps = stable_substeps(method, frame_rate);
+  if (!substeps || std::isinf(stable_step(method))) return {};
+  // the bound of a listed force is that of its strongest point, which the scene may never reach
+  const bool is_of_forces = std::hypot(spectrum_.force_omega, spectrum_.estimated_omega) > 0.5 * spectrum_.omega;
+  return (is_set_by_contact(method) ? "contact may cause growth with fewer than " : "its linear stability limit is ") +
+         std::to_string(*substeps) + (*substeps == 1 ? " substep" : " substeps") + " per frame" +
+         (is_of_forces ? " where the listed forces are strongest" : "");
+}
+
 std::optional<int> StepLimits::stable_substeps(const Integrator& method, double frame_rate) const {
   const double step = stable_step(method);
   if (step == 0.0) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,11 @@ class StepLimits {
 
   // [s], the longest step at which no linear mode grows, and at which contact causes no growth; 0: none, infinity: any.
   double stable_step(const Integrator& method) const;
+  // Whether contact sets it, not the linear modes.
+  bool is_set_by_contact(const Integrator& method) const;
+  // "its linear stability limit is 12 substeps per frame", "contact may cause growth with fewer than 819 substeps per frame"; empty without
+  // a limit. The only words for it: of the panel, the banner and the command line.
+  std::string limit_text(const Integrator& method, double frame_rate) const;
   // The fewest substeps per frame within that limit; none if no step is stable, or there are too many.
   std::optional<int> stable_substeps(const Integrator& method, double frame_rate) const;
   // The fewest that resolve passages and oscillations, 1 without any; none if there are too many.

@@ -35,7 +35,8 @@ struct Accuracy {
 
   // [m], RMS and maximum over the points, of the frame that ended at `frame_time`, made by the method within that one frame
   Measured frame, frame_max;
-  double frame_time = 0.0;  // [s]
+  double frame_time = 0.0, time = 0.0;  // [s]; `time`: of the last frame
+  std::optional<double> estimated{};    // [m], error of the last frame as `auto` estimated it; none with another method
 
   // [m], maximum RMS distance of the points from where they were at `since`: what an accumulated error is relative to; 0: not measured
   double motion = 0.0;

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "base/file_limits.h"
-#include "base/number_text.h"
 #include "edit/apply.h"
 #include "lab/lab.h"
 #include "sim/contact/contact.h"
@@ -104,7 +103,9 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
   using enum Remedy::Cause;
   const Settings& settings = start.settings;
   const bool has_own_steps = settings.integrator->stability == Stability::Adaptive;
-  if (!has_own_steps && settings.substep() > StepLimits(bound_spectrum(start.system)).stable_step(*settings.integrator)) return StepTooLong;
+  const StepLimits limits(bound_spectrum(start.system));
+  const bool is_linear = !has_own_steps && !limits.is_set_by_contact(*settings.integrator);
+  if (is_linear && settings.substep() > limits.stable_step(*settings.integrator)) return StepTooLong;
 
   const System& system = start.system;
   const bool has_forces = std::ranges::any_of(system.forces, &Force::on);
@@ -132,45 +133,50 @@ int resolving_oscillations(const StepNeeds& needs, const Integrator& method, dou
   return std::max(substeps, StepLimits({}, {.oscillation = needs.oscillation}).resolving_substeps(method, frame_rate).value_or(1));
 }
 
-// Settings to try, the most likely and cheapest first: the current method and then the default one, each with ever smaller steps, then the
-// methods that are stable at any step, and those that choose their steps: these first where no number of substeps resolves a passage.
-std::vector<Advice> candidates(const Scene& start) {
+// The settings of one method to try, the cheapest first.
+std::vector<Advice> settings_of(const Integrator& method, const Scene& start, const StepLimits& limits) {
   const Settings& settings = start.settings;
-  const StepNeeds needs = step_needs(start.system, start.state);
-  const StepLimits limits(bound_spectrum(start.system), needs);
+  const double frame_rate = settings.frame_rate;
+  const auto limit = limits.stable_substeps(method, frame_rate), resolving = limits.resolving_substeps(method, frame_rate);
+  const bool is_present = &method == settings.integrator;
+  if (method.stability == Stability::Adaptive)
+    return is_present ? std::vector<Advice>{} : std::vector<Advice>{{&method, settings.substeps}};
   std::vector<Advice> list;
-  const auto add_refinements = [&](const Integrator& method, int min_substeps) {
-    const auto limit = limits.stable_substeps(method, settings.frame_rate);
-    const auto resolving = limits.resolving_substeps(method, settings.frame_rate);
-    if (!limit || !resolving || method.stability == Stability::None) return;
-    constexpr int refinements = 5;
-    double substeps =
-        std::max({static_cast<double>(min_substeps), static_cast<double>(needs.margin) * *limit, static_cast<double>(*resolving)});
-    for (int i = 0; i < refinements && substeps <= max_substeps; ++i, substeps *= 2.0)
-      list.push_back({&method, static_cast<int>(substeps)});
-  };
-  const auto add_adaptive = [&] {
-    for (const Integrator& method : integrators())
-      if (method.stability == Stability::Adaptive && method.for_production && &method != settings.integrator)
-        list.push_back({&method, settings.substeps});
-  };
-  const bool is_for_adaptive = !limits.resolving_substeps(default_integrator(), settings.frame_rate);
-  if (is_for_adaptive) add_adaptive();
-  if (!is_automatic(settings)) add_refinements(*settings.integrator, 2 * std::min(settings.substeps, max_substeps / 2));
-  if (settings.integrator != &default_integrator()) add_refinements(default_integrator(), settings.substeps);
-  for (const Integrator& method : integrators()) {
-    if (!is_unconditionally_stable(method) || !method.for_production || &method == settings.integrator) continue;
+  if (is_unconditionally_stable(method) || method.stability == Stability::EachSpring) {
     std::vector<int> numbers{settings.substeps, std::min(max_substeps, 4 * settings.substeps)};
     // listed forces that are not part of its linear system may limit its step
-    if (const auto limit = limits.stable_substeps(method, settings.frame_rate); limit && *limit > numbers.back())
-      numbers.push_back(std::min(max_substeps, 2 * *limit));
+    if (limit && *limit > numbers.back()) numbers.push_back(std::min(max_substeps, 2 * *limit));
     for (const int substeps : numbers) {
-      const Advice advice{&method, resolving_oscillations(needs, method, settings.frame_rate, substeps)};
-      if (list.empty() || list.back() != advice) list.push_back(advice);
+      const Advice advice{&method, resolving_oscillations(limits.needs(), method, frame_rate, substeps)};
+      const bool is_tried = is_present && advice.substeps <= settings.substeps;
+      if (!is_tried && (list.empty() || list.back() != advice)) list.push_back(advice);
     }
+    return list;
   }
-  if (!is_for_adaptive) add_adaptive();
+  if (!limit || !resolving || method.stability == Stability::None) return {};
+  constexpr int refinements = 5;
+  const int min_substeps = is_present ? 2 * std::min(settings.substeps, max_substeps / 2) : 1;
+  double substeps =
+      std::max({static_cast<double>(min_substeps), static_cast<double>(limits.needs().margin) * *limit, static_cast<double>(*resolving)});
+  for (int i = 0; i < refinements && substeps <= max_substeps; ++i, substeps *= 2.0) list.push_back({&method, static_cast<int>(substeps)});
   return list;
+}
+
+// The methods to try: the present one, the default one, then those that are stable at any step, the others, and those that choose their
+// steps: these first where no number of substeps resolves a passage.
+std::vector<const Integrator*> methods_to_try(const Settings& settings, const StepLimits& limits) {
+  std::vector<const Integrator*> methods;
+  for (const Integrator& method : integrators())
+    if (method.for_production || &method == settings.integrator) methods.push_back(&method);
+  const bool is_for_adaptive = !limits.resolving_substeps(default_integrator(), settings.frame_rate);
+  const auto rank = [&](const Integrator* method) {
+    if (method->stability == Stability::Adaptive) return is_for_adaptive ? 0 : 5;
+    if (method == settings.integrator) return 1;
+    if (method == &default_integrator()) return 2;
+    return is_unconditionally_stable(*method) ? 3 : 4;
+  };
+  std::ranges::stable_sort(methods, {}, rank);
+  return methods;
 }
 
 // The newest edit without which the run from this state does not diverge.
@@ -190,42 +196,92 @@ std::optional<RecentChange> find_change(const Scene& from, const std::vector<Rec
   return std::nullopt;
 }
 
-// With its warnings, if every one has some.
-std::optional<std::pair<Advice, std::vector<std::string>>> find_implicit(const Scene& from, double seconds, const std::atomic<bool>& stop,
-                                                                         const RemedyProgress& progress) {
-  // the most accurate first
-  std::vector<const Integrator*> methods;
-  for (const Integrator& method : integrators())
-    if (is_unconditionally_stable(method) && method.for_production && &method != from.settings.integrator) methods.push_back(&method);
-  std::ranges::stable_sort(methods, [](const Integrator* a, const Integrator* b) {
-    return std::pair(a->stability == Stability::LStable, a->order) > std::pair(b->stability == Stability::LStable, b->order);
-  });
-  const StepNeeds needs = step_needs(from.system, from.state);
-  std::optional<std::pair<Advice, std::vector<std::string>>> warned;
-  for (const Integrator* one : methods) {
-    if (stop) break;
-    const Integrator& method = *one;
-    const Advice advice{&method, resolving_oscillations(needs, method, from.settings.frame_rate, from.settings.substeps)};
-    if (progress) progress("Testing " + describe(advice));
-    Scene scene = from;
-    scene.settings.integrator = &method;
-    scene.settings.substeps = advice.substeps;
-    Budget budget{0.25 * default_remedy_work, stop};
-    const Trial trial = run_copy(std::move(scene), seconds, budget);
-    if (trial.end != Trial::End::Finished || trial.gains) continue;
-    if (!trial.has_warnings()) return std::pair(advice, trial.all_warnings());
-    if (!warned) warned = {advice, trial.all_warnings()};
-  }
-  return warned;
-}
-
 std::optional<int> linear_limit(const Integrator& method, const Scene& scene) {
   const StepLimits limits(bound_spectrum(scene.system));
-  if (!std::isfinite(limits.stable_step(method))) return std::nullopt;
+  if (!std::isfinite(limits.stable_step(method)) || limits.is_set_by_contact(method)) return std::nullopt;
   return limits.stable_substeps(method, scene.settings.frame_rate);
 }
 
-std::string seconds_text(double seconds) { return quantity_text(seconds, "s", 3); }
+// Tests settings on copies, and keeps the best of each method.
+class SettingSearch {
+ public:
+  SettingSearch(const Scene& start, double seconds, double diverged_after, Budget budget, Remedy& remedy)
+      : start_(start), seconds_(seconds), diverged_after_(diverged_after), budget_(budget), remedy_(remedy) {}
+
+  void try_method(const Integrator& method, const StepLimits& limits, const RemedyProgress& progress) {
+    const std::vector<Advice> settings = settings_of(method, start_, limits);
+    const bool is_present = &method == start_.settings.integrator;
+    for (std::size_t i = 0; i < settings.size() && !budget_.stop; ++i) {
+      if (budget_.left <= 0.0) {
+        remedy_.settings_left += static_cast<int>(settings.size() - i);
+        return;
+      }
+      if (progress) progress("Testing " + describe(settings[i]));
+      // no setting takes more than half of the rest, nor, except to keep the method, more than the cheapest that was found
+      const double half = 0.5 * budget_.left, allowed = is_present ? half : std::min(half, cheapest_work_);
+      const Trial trial = run(settings[i], allowed);
+      if (keep(settings[i], trial, is_present)) return;
+      if (trial.end != Trial::End::OutOfBudget) continue;
+      // more substeps would take longer still
+      if (allowed < half) return;
+      ++remedy_.settings_cut_short;
+      remedy_.settings_left += static_cast<int>(settings.size() - i) - 1;
+      return;
+    }
+  }
+
+  void finish() {
+    for (auto& one : cheapest_)
+      if (one && !remedy_.cheapest) remedy_.cheapest = std::move(one);
+    for (auto& one : same_method_)
+      if (one && !remedy_.same_method) remedy_.same_method = std::move(one);
+    if (remedy_.same_method && remedy_.cheapest->advice == remedy_.same_method->advice) remedy_.same_method.reset();
+  }
+
+ private:
+  // in the order of preference: no warning, no warning for as long as the work allowed, only one about the step, and any other
+  enum Rank { Tested, PartlyTested, StepWarning, OtherWarning, Ranks };
+
+  Trial run(const Advice& advice, double allowed) {
+    Scene scene = start_;
+    scene.settings.integrator = advice.integrator;
+    scene.settings.substeps = advice.substeps;
+    if (advice.integrator->stability != Stability::Adaptive) scene.settings.tolerance.reset();
+    Budget budget{allowed, budget_.stop};
+    const Trial trial = run_copy(std::move(scene), seconds_, budget);
+    budget_.left -= allowed - std::max(0.0, budget.left);
+    ++remedy_.settings_tried;
+    return trial;
+  }
+
+  // Whether it needs no other setting of the same method.
+  bool keep(const Advice& advice, const Trial& trial, bool is_present) {
+    const bool is_finished = trial.end == Trial::End::Finished;
+    const bool is_tested = is_finished || (trial.end == Trial::End::OutOfBudget && trial.seconds >= 2.0 * diverged_after_);
+    if (!is_tested || trial.gains) return false;
+    const Rank rank = !trial.has_warnings() ? (is_finished ? Tested : PartlyTested) : trial.warnings.empty() ? StepWarning : OtherWarning;
+    const auto limit = linear_limit(*advice.integrator, start_);
+    const TestedSetting setting{
+        .advice = advice,
+        .seconds = trial.seconds,
+        .duration = trial.seconds > 0.0 ? 1e-9 * trial.work / trial.seconds : 0.0,
+        .linear_limit = limit,
+        .has_recommended_margin = limit && advice.substeps == recommended_margin(start_.system, start_.state) * *limit,
+        .warnings = trial.all_warnings()};
+    auto& best = cheapest_[rank];
+    if (!best || (rank == Tested && setting.duration < best->duration)) best = setting;
+    if (is_present && !same_method_[rank]) same_method_[rank] = setting;
+    if (rank == Tested) cheapest_work_ = std::min(cheapest_work_, trial.work);
+    return rank == Tested;
+  }
+
+  const Scene& start_;
+  const double seconds_, diverged_after_;
+  Budget budget_;
+  Remedy& remedy_;
+  double cheapest_work_ = std::numeric_limits<double>::infinity();  // [ns], of a test without warnings
+  std::optional<TestedSetting> cheapest_[Ranks], same_method_[Ranks];
+};
 
 }  // namespace
 
@@ -237,7 +293,6 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
   const auto report = [&](const std::string& test) {
     if (progress) progress(test);
   };
-  // a quarter of the work is for the cause, and no setting takes more than half of the rest
   Remedy remedy;
   Budget diagnosis{share_of_diagnosis * max_work, stop};
   report("Repeating the run");
@@ -251,49 +306,11 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
   report("Looking for the cause");
   remedy.cause = find_cause(start, diverged_after, diagnosis);
 
-  double left = max_work - (share_of_diagnosis * max_work - std::max(0.0, diagnosis.left));
-  // in the order of preference: no warning for as long as the work allowed, only one about the step, and any other
-  enum Rank { PartlyTested, StepWarning, OtherWarning, Ranks };
-  std::optional<std::pair<Advice, Trial>> kept[Ranks];
-  const auto recommend = [&](const Advice& advice, const Trial& trial) {
-    remedy.advice = advice;
-    remedy.linear_limit = linear_limit(*advice.integrator, start);
-    remedy.has_recommended_margin =
-        remedy.linear_limit && advice.substeps == recommended_margin(start.system, start.state) * *remedy.linear_limit;
-    remedy.tested_seconds = trial.seconds;
-    remedy.duration = trial.seconds > 0.0 ? 1e-9 * trial.work / trial.seconds : 0.0;
-    remedy.warnings = trial.all_warnings();
-    return remedy;
-  };
-  const Integrator* cut_short = nullptr;  // the method whose last test was
-  for (const Advice& advice : candidates(start)) {
-    if (stop) break;
-    // more substeps would take longer still
-    if (left <= 0.0 || advice.integrator == cut_short) {
-      ++remedy.settings_left;
-      continue;
-    }
-    report("Testing " + describe(advice));
-    Scene scene = start;
-    scene.settings.integrator = advice.integrator;
-    scene.settings.substeps = advice.substeps;
-    if (advice.integrator->stability != Stability::Adaptive) scene.settings.tolerance.reset();
-    Budget budget{0.5 * left, stop};
-    const double given = budget.left;
-    const Trial trial = run_copy(std::move(scene), seconds, budget);
-    left -= given - std::max(0.0, budget.left);
-    ++remedy.settings_tried;
-    cut_short = trial.end == Trial::End::OutOfBudget ? advice.integrator : nullptr;
-    if (cut_short != nullptr) ++remedy.settings_cut_short;
-    const bool is_tested =
-        trial.end == Trial::End::Finished || (trial.end == Trial::End::OutOfBudget && trial.seconds >= 2.0 * diverged_after);
-    if (!is_tested || trial.gains) continue;
-    if (trial.end == Trial::End::Finished && !trial.has_warnings()) return recommend(advice, trial);
-    const Rank rank = !trial.has_warnings() ? PartlyTested : trial.warnings.empty() ? StepWarning : OtherWarning;
-    if (!kept[rank]) kept[rank] = {advice, trial};
-  }
-  for (const auto& one : kept)
-    if (one) return recommend(one->first, one->second);
+  const Budget left{max_work - (share_of_diagnosis * max_work - std::max(0.0, diagnosis.left)), stop};
+  const StepLimits limits(bound_spectrum(start.system), step_needs(start.system, start.state));
+  SettingSearch search(start, seconds, diverged_after, left, remedy);
+  for (const Integrator* method : methods_to_try(start.settings, limits)) search.try_method(*method, limits, progress);
+  search.finish();
   return remedy;
 }
 
@@ -323,75 +340,7 @@ Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const Re
   from.settings = run.settings;
   const double seconds = 2.0 * std::max(0.0, run.time - from.state.time) + 1.0;
   remedy.change = find_change(from, run.changes, seconds, stop, report);
-  const bool is_implicit = remedy.advice && is_unconditionally_stable(*remedy.advice->integrator);
-  if (is_implicit) return remedy;
-  if (auto found = find_implicit(from, seconds, stop, report)) std::tie(remedy.implicit, remedy.implicit_warnings) = *std::move(found);
   return remedy;
-}
-
-namespace {
-
-// The warnings in quotation marks, since they have semicolons; empty without warnings.
-std::string exceptions(const std::vector<std::string>& warnings) {
-  std::string text;
-  for (const std::string& warning : warnings) text += (text.empty() ? "" : ", ") + ("\"" + warning + "\"");
-  if (text.empty()) return text;
-  return (warnings.size() == 1 ? ", but there is a warning: " : ", but there are warnings: ") + text;
-}
-
-}  // namespace
-
-std::string describe(const Remedy& remedy, const Settings& settings) {
-  const auto cause = [&]() -> std::string {
-    if (remedy.change) return "Cause: " + remedy.change->text + "; without this change it does not diverge.";
-    switch (remedy.cause) {
-      case Remedy::Cause::NotReproduced:
-        return "No remedy was tested: copies from the start" + (remedy.from ? " and from t = " + seconds_text(*remedy.from) : "") +
-               " do not diverge.";
-      case Remedy::Cause::SearchLimit:
-        return "No remedy was tested: the work limit of the search was reached at t = " + seconds_text(remedy.reached) +
-               ", before the copy from " + (remedy.from ? "t = " + seconds_text(*remedy.from) : "the start") + " diverged.";
-      case Remedy::Cause::StepTooLong:
-        return "Cause: the step is beyond the linear stability limit of " + std::string(settings.integrator->label) + ".";
-      case Remedy::Cause::Force:
-        return "Cause: the listed forces; without them it does not diverge.";
-      case Remedy::Cause::Contact:
-        return "Cause: contact; without it the scene does not diverge.";
-      case Remedy::Cause::Hand:
-        return "Cause: the hand; without it the scene does not diverge.";
-      case Remedy::Cause::Springs:
-        return "Cause: springs that rotate far within a step; the linear stability limit does not cover them.";
-      case Remedy::Cause::NotFound:
-        return "The cause was not found.";
-    }
-    return {};
-  };
-  if (remedy.cause == Remedy::Cause::NotReproduced || remedy.cause == Remedy::Cause::SearchLimit) return cause();
-  if (!remedy.advice) {
-    const std::string tried = " other settings were tried" + std::string(remedy.change || remedy.implicit ? " without success" : "");
-    const std::string found = remedy.implicit ? " With " + std::string(remedy.implicit->integrator->label) + " it does not diverge" +
-                                                    exceptions(remedy.implicit_warnings) + "."
-                                              : "";
-    std::string cut_short;
-    if (remedy.settings_cut_short > 0)
-      cut_short = ", " + std::to_string(remedy.settings_cut_short) + " of them only up to the work limit of the search";
-    if (remedy.settings_left > 0) cut_short += "; " + std::to_string(remedy.settings_left) + " more were not, because of that limit";
-    return cause() + (remedy.change || remedy.implicit ? " " : " No remedy found: ") + std::to_string(remedy.settings_tried) + tried +
-           cut_short + "." + found;
-  }
-  // why more substeps than the limit shown below the slider; a step beyond it has a warning of its own
-  std::string margin;
-  if (remedy.linear_limit && remedy.advice->substeps >= *remedy.linear_limit) {
-    const double ratio = static_cast<double>(remedy.advice->substeps) / *remedy.linear_limit;
-    margin = ", " + number_text(ratio, 2) + " times the linear limit of " + std::to_string(*remedy.linear_limit) +
-             (remedy.has_recommended_margin ? " (a measured margin)" : "") + ",";
-  }
-  const std::string from = remedy.from ? " from t = " + seconds_text(*remedy.from) : "";
-  constexpr double max_practical = 10.0;  // [s], of computing per simulated second
-  const std::string duration =
-      remedy.duration > max_practical ? "; a simulated second takes about " + quantity_text(std::round(remedy.duration), "s", 2) : "";
-  return cause() + " " + describe(*remedy.advice) + margin + " does not diverge (tested for " + seconds_text(remedy.tested_seconds) + from +
-         duration + ")" + exceptions(remedy.warnings) + ".";
 }
 
 }  // namespace hooke

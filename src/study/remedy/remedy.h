@@ -13,6 +13,18 @@
 
 namespace hooke {
 
+// A setting that was run on a copy and did not diverge.
+struct TestedSetting {
+  Advice advice;
+  double seconds = 0.0;                 // [s], simulated with it
+  double duration = 0.0;                // [s], that a simulated second of it takes, by the model of TrialWork
+  std::optional<int> linear_limit;      // of its method [substeps per frame]; none if it has no such limit
+  bool has_recommended_margin = false;  // whether it has the measured margin below that limit
+  // That `hooke run` prints with it: about its step, and of the run monitor about the test with it. Only where every setting that does not
+  // diverge has some.
+  std::vector<std::string> warnings;
+};
+
 struct Remedy {
   enum class Cause {
     NotReproduced,  // the run from this state did not diverge again
@@ -25,24 +37,15 @@ struct Remedy {
     NotFound,       // diverges without each of these, or the work limit was reached
   };
   Cause cause = Cause::NotReproduced;
-  std::optional<Advice> advice;  // a setting that was run and did not diverge; none if none was found
-  double tested_seconds = 0.0;   // [s], simulated with it
-  double duration = 0.0;         // [s], that a simulated second of it takes, by the model of TrialWork
+  std::optional<TestedSetting> cheapest;     // of any method; none if none was found
+  std::optional<TestedSetting> same_method;  // of the present one, if it is another setting
   int settings_tried = 0;
-  int settings_cut_short = 0;           // of those: by the work limit, before they diverged
-  int settings_left = 0;                // not tried, because the work limit was reached
-  double reached = 0.0;                 // [s], where the cause is SearchLimit: the time that the copy had reached
-  std::optional<int> linear_limit;      // of the method of the advice [substeps per frame]; none if it has no limit
-  bool has_recommended_margin = false;  // whether the advice has the measured margin below that limit
-  // That `hooke run` prints with the advice: about its step, and of the run monitor about the test with it. Only where every setting that
-  // does not diverge has some.
-  std::vector<std::string> warnings;
+  int settings_cut_short = 0;  // of those: by the work limit, before they diverged
+  int settings_left = 0;       // not tried, because the work limit was reached
+  double reached = 0.0;        // [s], where the cause is SearchLimit: the time that the copy had reached
   std::optional<double> from;  // [s], of the recorded state that the copies started from; none: the start of the run
   // The edit to which the divergence is due: with what it changed as it was before, a copy ran through for as long as with the advice.
   std::optional<RecentChange> change{};
-  // A method that is stable at any step, tested like the advice; none if the advice is one, or none was found.
-  std::optional<Advice> implicit{};
-  std::vector<std::string> implicit_warnings{};  // about it, as above
 };
 
 // [ns], a limit on the work of all copies of one search, by a fixed model of what it takes: the same on every machine, of which the default
@@ -60,13 +63,17 @@ using RemedyProgress = std::function<void(const std::string& test)>;
 // contact and hand, and with other settings: each for `seconds` or until the divergence. A setting is accepted when it neither diverges nor
 // is warned about, as by `hooke run`, for `seconds` or, where the work allows less, for at least twice the time that the divergence took;
 // if there is none, the first one that does not diverge, with its warnings: rather about a step that may be too long than about what went
-// wrong; never one with which the energy rises by more than was supplied. Deterministic. Can run on any thread; `stop` ends it early.
+// wrong; never one with which the energy rises by more than was supplied. Of those, the cheapest counts. Deterministic. Can run on any
+// thread; `stop` ends it early.
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work = default_remedy_work,
                    const RemedyProgress& report = {});
 
 // From the last recorded state before the energy grew or, where there is none or it does not diverge again, from the start of the run: up
-// to two searches, one to find the edit that the divergence is due to, if it is due to one, and a run with each implicit method.
+// to two searches, and one to find the edit that the divergence is due to, if it is due to one.
 Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const RemedyProgress& report = {});
+
+// "0.59\u00d7 real time"; empty for settings that are faster than that.
+std::string speed_text(const TestedSetting& setting);
 
 // "Cause: ... Tested for 2 s: Velocity Verlet with 80 substeps per frame runs through." One line.
 std::string describe(const Remedy& remedy, const Settings& settings);

@@ -37,24 +37,26 @@ void value_row(const char* name, const std::string& value, ImU32 color = palette
   paragraph(value, color);
 }
 
-void error_section(const Accuracy& accuracy, const Settings& settings) {
+void error_section(const Accuracy& accuracy) {
+  const Judgement judgement = judge(accuracy);
+  if (judgement.level != Judgement::Level::Good) paragraph(judgement.text, color_of(judgement));
   heading("Error of a frame");
   value_row("RMS", error_text(accuracy.frame, accuracy.size));
   value_row("Maximum", error_text(accuracy.frame_max, accuracy.size));
+  if (accuracy.frame.value) value_row("Measured", "at " + quantity_text(accuracy.frame_time, "s"));
   explanation(
       "How far the method moves the points away from the exact motion within one frame; some frames are repeated with half the step.");
   heading("Accumulated error");
   value_row("RMS", error_text(accuracy.accumulated, accuracy.size));
   if (accuracy.accumulated.value)
     value_row("Since", quantity_text(accuracy.since, "s") + ", known to " + quantity_text(accuracy.accumulated_time, "s"));
-  if (const auto warning = accumulated_warning(accuracy, settings)) paragraph(*warning, palette::warning);
   explanation("Distance from a second run with half the step, computed in idle time.");
 }
 
 void predictability_section(const Accuracy& accuracy) {
   heading("Predictability");
   const bool is_chaotic = accuracy.growth_rate.value && *accuracy.growth_rate.value > 0.0;
-  paragraph(predictability_text(accuracy), is_chaotic ? palette::warning : palette::text);
+  paragraph(predictability_text(accuracy));
   if (is_chaotic)
     value_row("Growth", "e-fold every " + quantity_text(1.0 / *accuracy.growth_rate.value, "s", 2));
   else if (accuracy.amplification.value)
@@ -104,37 +106,50 @@ void energy_section(const Accuracy& accuracy) {
       "motion is right.");
 }
 
-void cost_section(const PanelInput& input, Requests& requests) {
-  const Accuracy& accuracy = input.status.accuracy;
-  heading("Cost of accuracy");
-  const std::string text = cost_text(accuracy);
-  paragraph(!text.empty() ? text : "half the error: " + std::string(accuracy.is_on ? accuracy.half_error_reason : "not measured"));
-  if (!text.empty() && accuracy.half_error_tolerance == 0.0) {
-    same_line_for("Use");
-    if (ImGui::SmallButton("Use"))
-      requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(accuracy.half_error_substeps)}});
-  }
-  if (!input.cheaper) return;
-  const CheaperMethod& cheaper = *input.cheaper;
-  const std::string name = cheaper.integrator->short_name();
-  paragraph(name + ", " + count(cheaper.substeps, "substep") + ": the same error, " + number_text(std::round(100.0 * cheaper.cost)) +
-            " % of the time");
+// A row of tested settings with a button that takes them.
+void advice_row(const std::optional<TestedCost>& tested, const Settings& present, Requests& requests) {
+  if (!tested) return;
+  const Settings& settings = tested->settings;
+  const std::string text = describe(*tested, present);
+  paragraph(text);
   same_line_for("Use");
-  if (!ImGui::SmallButton("Use##method")) return;
-  requests.emplace_back(Edit{SetIntegrator{cheaper.integrator}});
-  requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(cheaper.substeps)}, true});
+  if (!ImGui::SmallButton(("Use##" + text).c_str())) return;
+  const bool changes_method = settings.integrator != present.integrator;
+  if (changes_method) requests.emplace_back(Edit{SetIntegrator{settings.integrator}});
+  if (settings.integrator->stability == Stability::Adaptive)
+    requests.emplace_back(Edit{RestoreParameter{&tolerance_parameter, *settings.tolerance}, changes_method});
+  else
+    requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(settings.substeps)}, changes_method});
+}
+
+void cost_section(const PanelInput& input, Requests& requests) {
+  heading("Cost of accuracy");
+  if (!input.advice) return paragraph("Once it has run, other settings are tested on copies of the scene...", palette::dim);
+  const CostAdvice& advice = *input.advice;
+  const Settings& present = input.status.snapshot->settings;
+  advice_row(advice.half_error, present, requests);
+  advice_row(advice.cheaper, present, requests);
+  const bool is_same = advice.cheaper && advice.better && advice.cheaper->settings == advice.better->settings;
+  if (!is_same) advice_row(advice.better, present, requests);
+  if (!advice.half_error && !advice.cheaper && !advice.better) paragraph("No better setting was found.");
+  explanation("Measured on copies, over the frames that follow the present state.");
 }
 
 }  // namespace
+
+ImU32 color_of(const Judgement& judgement) {
+  using enum Judgement::Level;
+  return judgement.level == Bad ? palette::bad : judgement.level == Doubtful ? palette::warning : palette::dim;
+}
 
 void build_accuracy_line(const PanelInput& input, Panels& panels) {
   const Accuracy& accuracy = input.status.accuracy;
   ImGui::PushFont(fonts().small);
   begin_row("Error");
-  const bool is_chaotic = accuracy.growth_rate.value.value_or(0.0) > 0.0;
-  ImGui::PushStyleColor(ImGuiCol_Text, is_chaotic ? palette::warning : palette::dim);
+  ImGui::PushStyleColor(ImGuiCol_Text, color_of(judge(accuracy)));
   std::vector<std::string> lines = accuracy_lines(accuracy);
-  for (std::string& line : lines) line.erase(0, line.find(' ') + 1);
+  for (std::string& line : lines)
+    if (line.starts_with("error")) line.erase(0, line.find(' ') + 1);
   // one line, so that the rows below do not move under the mouse: what does not fit is in the tooltip
   const float width = ImGui::GetContentRegionAvail().x;
   const auto fits = [&](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x <= width; };
@@ -155,7 +170,7 @@ void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests)
   tooltip("Costs less than a tenth of a frame, and idle time");
   panel.begin_content();
   if (input.status.accuracy.is_on) {
-    error_section(input.status.accuracy, input.status.snapshot->settings);
+    error_section(input.status.accuracy);
     predictability_section(input.status.accuracy);
     energy_section(input.status.accuracy);
     cost_section(input, requests);

@@ -9,7 +9,7 @@ AffectedParts compute(const System& system, const DocumentStatus& document, cons
   AffectedParts parts;
   for (const PointId id : selection.points)
     if (const Index i = system.index_of(id); i != no_index) parts.points.push_back(i);
-  if (!selection.empty())
+  if (selection.has_parts())
     for (const SpringId id : affected_springs(system, selection))
       if (const Index s = system.index_of(id); s != no_index) parts.springs.push_back(s);
 

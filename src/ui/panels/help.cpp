@@ -93,7 +93,9 @@ void build_keys(const PanelInput& input, Panels& panels) {
   ImGui::Begin("keys", nullptr, front_box);
   panels.floating.push_back(current_window());
   ImGui::Columns(columns, "columns", false);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, units(2.5)});
   build_columns(columns);
+  ImGui::PopStyleVar();
   ImGui::Columns(1);
   ImGui::End();
   ImGui::PopStyleColor();

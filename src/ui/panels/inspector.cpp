@@ -177,6 +177,7 @@ void spring_rows(const Inspected& inspected, Panels& panels, Requests& requests)
 }  // namespace
 
 void build_inspector(const PanelInput& input, Panels& panels, Requests& requests) {
+  if (input.selection.collider) return build_collider(input, panels, requests);
   if (input.selection.empty()) return;
   const Inspected inspected{*input.status.snapshot, panels.affected_parts.of(input.status, input.selection)};
   const auto points = static_cast<long>(inspected.parts.points.size()), springs = static_cast<long>(inspected.parts.springs.size());

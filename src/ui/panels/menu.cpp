@@ -120,7 +120,12 @@ void add_menu(const PanelInput& input, Panels& panels, Requests& requests) {
   }
   ImGui::Separator();
   if (ImGui::MenuItem("From a mesh...")) start_placement(nullptr, input, panels, requests);
-  tooltip("An .obj file as cloth.");
+  tooltip("An .obj file as cloth, or as an obstacle.");
+  ImGui::Separator();
+  for (const ColliderKind& kind : collider_kinds()) {
+    if (ImGui::MenuItem((std::string(kind.label) + "...").c_str())) requests.emplace_back(StartPlacement{nullptr, false, &kind});
+    tooltip(std::string(kind.description));
+  }
 }
 
 void edit_menu(const PanelInput& input, Panels&, Requests& requests) { sections(Menu::Edit, 1, last_section, input, requests); }

@@ -20,7 +20,8 @@
 namespace hooke {
 namespace {
 
-constexpr double toast_seconds = 1.8;
+// Long enough to be read twice [s].
+double reading_time(const std::string& text) { return std::max(3.0, 0.08 * static_cast<double>(text.size())); }
 
 ImVec2 place(const Rect& scene, double x, double y) { return {static_cast<float>(scene.x + x), static_cast<float>(scene.y + y)}; }
 
@@ -122,27 +123,31 @@ void stroke(const PanelInput& input, ImDrawList& list) {
 }
 
 void toast(const PanelInput& input, Panels& panels, ImDrawList& list) {
-  if (panels.toast.empty()) return;
+  Messages& messages = panels.messages;
+  if (messages.toast.empty()) return;
   const double now = ImGui::GetTime();
-  if (panels.toast_until < 0.0) panels.toast_until = now + toast_seconds;
-  if (now >= panels.toast_until) {
-    panels.toast.clear();
-    return;
-  }
+  if (messages.toast_until < 0.0) messages.toast_until = now + reading_time(messages.toast);
+  if (now >= messages.toast_until) return messages.toast.clear();
   const Rect& scene = input.layout.scene;
   const float dx = units(14.0), dy = units(8.0), max_width = std::max(1.0f, static_cast<float>(scene.width) - 2.0f * (dx + units(8.0)));
-  const std::string text = wrapped(panels.toast, max_width);
+  const std::string text = wrapped(messages.toast, max_width);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at = place(scene, 0.5 * (scene.width - size.x), scene.height - units(70.0) - size.y);
-  list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(8.0));
+  const ImVec2 min{at.x - dx, at.y - dy}, max{at.x + size.x + dx, at.y + size.y + dy};
+  list.AddRectFilled(min, max, palette::shade, units(8.0));
   list.AddText(at, palette::text, text.c_str());
+  // it stays while it is being read
+  if (ImGui::IsMouseHoveringRect(min, max, false)) messages.toast_until = std::max(messages.toast_until, now + 1.0);
 }
 
+// "Start over with Baraff-Witkin and 4 substeps (0.59x real time)"
 std::string remedy_label(const Remedy& remedy, const Settings& settings) {
-  const Advice& advice = *remedy.advice;
+  const Advice& advice = remedy.cheapest->advice;
   std::string text = remedy.from ? "Continue from t = " + quantity_text(*remedy.from, "s") + " with " : "Start over with ";
   if (advice.integrator != settings.integrator) text.append(advice.integrator->label).append(" and ");
-  return text.append(count(advice.substeps, "substep"));
+  text.append(count(advice.substeps, "substep"));
+  const std::string speed = speed_text(*remedy.cheapest);
+  return speed.empty() ? text : text + " (" + speed + ")";
 }
 
 // Runs from the state that the remedy was tested from.
@@ -176,12 +181,18 @@ std::vector<WayOut> ways_out(const PanelInput& input) {
   std::vector<WayOut> ways;
   if (const auto& found = input.remedy.found) {
     const Remedy& remedy = *found;
-    if (remedy.advice)
-      ways.push_back({remedy_label(remedy, settings) + "###remedy",
-                      "Uses the tested setting and continues the run" + lines_of(remedy.warnings), [&](Requests& requests) {
-                        take(*remedy.advice, settings, requests);
+    const auto add_setting = [&](const std::string& label, const TestedSetting& setting) {
+      ways.push_back({label, "Uses the tested setting and continues the run" + lines_of(setting.warnings), [&](Requests& requests) {
+                        take(setting.advice, settings, requests);
                         run_from(remedy, requests);
                       }});
+    };
+    if (remedy.cheapest) add_setting(remedy_label(remedy, settings) + "###remedy", *remedy.cheapest);
+    if (const auto& same = remedy.same_method) {
+      const std::string speed = speed_text(*same);
+      add_setting("Keep the method, " + count(same->advice.substeps, "substep") + (speed.empty() ? "" : " (" + speed + ")") + "###same",
+                  *same);
+    }
     if (remedy.change)
       ways.push_back(
           {"Restore the previous value###restore", "Undoes " + remedy.change->text + " and continues the run", [&](Requests& requests) {
@@ -189,15 +200,6 @@ std::vector<WayOut> ways_out(const PanelInput& input) {
              for (const Command& command : remedy.change->restore) requests.emplace_back(Edit{command, std::exchange(continues, true)});
              run_from(remedy, requests);
            }});
-    if (remedy.implicit) {
-      ways.push_back({"Use " + remedy.implicit->integrator->short_name() + "###implicit",
-                      "Uses a method without a limit on the step for small vibrations, tested in the same way, and continues the run" +
-                          lines_of(remedy.implicit_warnings),
-                      [&](Requests& requests) {
-                        take(*remedy.implicit, settings, requests);
-                        run_from(remedy, requests);
-                      }});
-    }
   }
   if (!status.history.undo_name.empty())
     ways.push_back({"Undo###undo", status.history.undo_name, [](Requests& requests) { requests.emplace_back(Action::Undo); }});

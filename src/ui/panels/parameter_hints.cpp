@@ -65,15 +65,16 @@ void step_remark(const Snapshot& snapshot) {
   else if (fraction > 0.8 && fraction <= 1.0)
     text += ", " + number_text(std::floor(100.0 * fraction)) + " % of the limit";
   else
-    text += " (limit " + number_text(snapshot.omega * limit, 3) + ")";
-  std::string description =
-      "Highest angular frequency of the scene times the step. Beyond the limit of the method, the simulation can blow up.";
+    text += " (limit " + number_text(snapshot.omega * limit, 3) + (snapshot.is_limited_by_contact ? " with contact)" : ")");
+  std::string description = "Highest angular frequency of the scene times the step. Beyond the limit, the simulation can blow up.";
+  if (anything && !snapshot.step_limit.empty())
+    description += " Of " + snapshot.settings.integrator->short_name() + ": " + snapshot.step_limit + ".";
   if (anything && limit > 0.0 && fraction > 1.0) {
     // the substeps that are needed, and why more are recommended
     const double needed = std::ceil(1.0 / (snapshot.settings.frame_rate * limit)), with_margin = snapshot.recommended_margin * needed;
     const double recommended = snapshot.recommended_substeps;
     const std::string times = std::to_string(snapshot.recommended_margin);
-    description = text + ". The linear stability limit is " + number_text(needed) + " substeps per frame; ";
+    description = text + ". Of " + snapshot.settings.integrator->short_name() + ": " + snapshot.step_limit + "; ";
     if (recommended == 0.0) {
       description +=
           "too many are needed where points pass the center of a force or colliders oscillate. A method that adapts its steps is "
@@ -88,7 +89,7 @@ void step_remark(const Snapshot& snapshot) {
                      " times as many, a measured margin for springs that stretch and rotate far.";
       short_text = "use " + number_text(recommended) + " (" + times + "\u00d7)";
     }
-    name = "linear limit " + number_text(needed);
+    name = (snapshot.is_limited_by_contact ? "contact limit " : "linear limit ") + number_text(needed);
     text = "recommended " + short_text.substr(4);
   }
   remark(name, text, description, text_color, anything && fraction > 0.8 ? text_color : palette::dim, short_text);

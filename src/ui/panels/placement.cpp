@@ -75,6 +75,10 @@ void mesh_rows(const PanelInput& input, Placement& placement, Panels& panels, Re
     panels.dialog.title = "Choose a mesh";
   }
   dim_text(placement.mesh_info.empty() ? "No mesh yet" : placement.mesh_info);
+  begin_row("Obstacle");
+  ImGui::Checkbox("##obstacle", &placement.is_obstacle);
+  tooltip("Its points are nailed, and other parts touch its faces: a closed mesh is a solid body");
+  if (placement.is_obstacle) paragraph("Other parts touch its faces.", palette::dim);
   struct Number {
     NumberField field;
     double& value;
@@ -111,6 +115,11 @@ void mesh_rows(const PanelInput& input, Placement& placement, Panels& panels, Re
 
 void placement_rows(const PanelInput& input, Placement& placement, Panels& panels, Requests& requests) {
   const bool is_flat = input.status.snapshot->system->dimensions == 2;
+  if (placement.collider) {
+    paragraph(kind_of(*placement.collider).description, palette::dim);
+    if (const auto changed = collider_rows(*placement.collider, is_flat ? 2 : 3, panels)) placement.collider = changed;
+    return paragraph("Click or drag in the scene to move it.", palette::dim);
+  }
   paragraph(placement.is_mesh ? "Triangles and quads become cloth, in the orientation of the file." : placement.shape.kind->description,
             palette::dim);
   ImGui::Dummy({0.0f, units(3.0)});
@@ -144,7 +153,9 @@ void build_placement(const PanelInput& input, Panels& panels, Requests& requests
   if (!placement.is_on()) return;
   DockedPanel panel("placing", placement_dock(input.layout, units(1.0)), panels);
   ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted(placement.is_mesh ? "From a mesh" : placement.shape.kind->label.data());
+  ImGui::TextUnformatted(placement.collider  ? kind_of(*placement.collider).label.data()
+                         : placement.is_mesh ? "From a mesh"
+                                             : placement.shape.kind->label.data());
   ImGui::PopFont();
   panel.begin_content();
   placement_rows(input, placement, panels, requests);

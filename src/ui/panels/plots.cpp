@@ -259,7 +259,7 @@ void choices(const PanelInput& input, Requests& requests) {
   };
   of_each(input.selection.points, QuantityRow::Of::Point);
   of_each(input.selection.springs, QuantityRow::Of::Spring);
-  if (input.selection.empty()) dim_text("Select a point or a spring for more quantities");
+  if (!input.selection.has_parts()) dim_text("Select a point or a spring for more quantities");
 }
 
 void buttons(const PanelInput& input, const Rect& place, Panels& panels, Requests& requests) {

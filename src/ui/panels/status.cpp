@@ -12,20 +12,32 @@
 namespace hooke {
 namespace {
 
+// The speed, or how long a frame has been computed that takes much longer than those before it.
+std::string speed_text(const PanelInput& input) {
+  constexpr double noticed = 0.5;  // [s]
+  if (!input.status.run.running) return "paused";
+  if (input.waiting_seconds > noticed) return "this frame: " + number_text(std::round(10.0 * input.waiting_seconds) / 10.0) + " s so far";
+  return number_text(std::round(100.0 * input.status.run.speed) / 100.0) + "\u00d7 real time";
+}
+
+struct Figures {
+  std::string error, rest;
+};
+
 // From the most detailed to the shortest. The error is the last part to be shortened.
-std::vector<std::string> figures(const PanelInput& input) {
+std::vector<Figures> figures(const PanelInput& input) {
   const Status& status = input.status;
   char text[160];
-  const std::string speed = !status.run.running ? "paused" : number_text(std::round(100.0 * status.run.speed) / 100.0) + "\u00d7 real time";
+  const std::string speed = speed_text(input);
   std::snprintf(text, sizeof text, "simulate %.*f ms    ", status.run.simulate_ms < 1.0 ? 2 : 1, status.run.simulate_ms);
   const std::string simulate = text;
   std::snprintf(text, sizeof text, "draw %.1f ms    %.0f frames/s    ", input.draw_ms, input.frames_per_second);
   // a picture without a window has none
   const std::string draw = input.frames_per_second > 0.0 ? text : "";
-  std::vector<std::string> all;
+  std::vector<Figures> all;
   for (const std::string& error : accuracy_lines(status.accuracy)) {
-    if (all.empty()) all = {error + "    " + simulate + draw + speed, error + "    " + simulate + speed};
-    all.push_back(error + "    " + speed);
+    if (all.empty()) all = {{error + "    ", simulate + draw + speed}, {error + "    ", simulate + speed}};
+    all.push_back({error + "    ", speed});
   }
   return all;
 }
@@ -78,9 +90,9 @@ void build_status_bar(const PanelInput& input) {
   const float left = width_of(tool) + units(8.0),
               desired = left + width_of(input.next_step) + gap + (hand.empty() ? 0.0f : width_of(hand) + gap);
   const auto all = figures(input);
-  const auto text =
-      std::ranges::find_if(all.begin(), all.end() - 1, [&](const std::string& each) { return desired + width_of(taken + each) <= line; });
-  const float right = width_of(taken + *text);
+  const auto text = std::ranges::find_if(all.begin(), all.end() - 1,
+                                         [&](const Figures& each) { return desired + width_of(taken + each.error + each.rest) <= line; });
+  const float right = width_of(taken + text->error + text->rest);
 
   text_in(palette::accent, tool);
   ImGui::SameLine(0.0f, units(8.0));
@@ -96,7 +108,9 @@ void build_status_bar(const PanelInput& input) {
   // highlighted if slower than requested
   const bool slow =
       input.status.run.running && input.status.run.speed > 0.0 && input.status.run.speed < 0.9 * input.status.snapshot->settings.speed;
-  text_in(slow ? palette::warning : palette::dim, *text);
+  text_in(color_of(judge(input.status.accuracy)), text->error);
+  ImGui::SameLine(0.0f, 0.0f);
+  text_in(slow ? palette::warning : palette::dim, text->rest);
   ImGui::PopFont();
   ImGui::End();
 }

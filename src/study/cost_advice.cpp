@@ -1,0 +1,182 @@
+#include "study/cost_advice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.h"
+#include "base/text_lines.h"
+#include "base/threads/thread_time.h"
+#include "sim/contact/contact.h"
+#include "sim/control/automatic.h"
+#include "sim/control/frame_error.h"
+#include "sim/control/frame_runner.h"
+#include "sim/methods/rows.h"
+#include "sim/methods/step_limits.h"
+#include "sim/step/divergence.h"
+
+namespace hooke {
+namespace {
+
+constexpr int frame_count = 4;
+constexpr int repeats = 2;  // of which the shorter counts
+
+class Frames {
+ public:
+  Frames(const System& system, const State& state, const std::atomic<bool>& stop)
+      : system_(system), state_(state), plan_(make_plan(system)), stop_(stop) {}
+
+  const Plan& plan() const { return plan_; }
+
+  struct Result {
+    std::vector<std::vector<Vec3>> positions;  // [m], at the ends of the frames
+    double seconds = 0.0;                      // of CPU time
+  };
+  // None if a frame fails, or if they take longer than `max_seconds` of CPU time, or are stopped.
+  std::optional<Result> compute(const Settings& settings, double max_seconds = HUGE_VAL) {
+    Result result{.positions = {}, .seconds = HUGE_VAL};
+    // the first time includes the analysis of the matrix that later frames share
+    for (int time = 0; time <= repeats; ++time) {
+      result.positions.clear();
+      refresh_values(plan_, system_);
+      State state = state_;
+      const double start = thread_cpu_seconds();
+      for (int frame = 0; frame < frame_count; ++frame) {
+        frame_.begin(plan_, system_, settings, state);
+        while (!frame_.done()) {
+          frame_.substep(plan_);
+          if (stop_ || (time > 0 && thread_cpu_seconds() - start > 1.5 * max_seconds)) return std::nullopt;
+        }
+        frame_.end(plan_, state);
+        if (frame_.failure() != StepFailure::None || !is_finite(state)) return std::nullopt;
+        result.positions.push_back(state.position);
+      }
+      if (time > 0) result.seconds = std::min(result.seconds, thread_cpu_seconds() - start);
+    }
+    if (result.seconds > max_seconds) return std::nullopt;
+    return result;
+  }
+
+  // [m], the largest distance at the end of a frame.
+  double distance(const Result& one, const Result& other) const {
+    double largest = 0.0;
+    for (std::size_t f = 0; f < one.positions.size(); ++f)
+      largest = std::max(largest, weighted_distance(system_, one.positions[f], other.positions[f], 1.0).rms);
+    return largest;
+  }
+
+ private:
+  const System& system_;
+  const State& state_;
+  Plan plan_;
+  FrameRunner frame_;
+  const std::atomic<bool>& stop_;
+};
+
+// The fewest that are stable and resolve the oscillations of the colliders; none if the latter are too many.
+std::optional<int> min_substeps(const Plan& plan, const Integrator& method, double frame_rate) {
+  const StepLimits limits(plan.spectrum, {.oscillation = plan.collider_paths.resolving_step});
+  const auto resolving = limits.resolving_substeps(method, frame_rate);
+  if (!resolving) return std::nullopt;
+  return std::max(*resolving, limits.stable_substeps(method, frame_rate).value_or(1));
+}
+
+// Far more accurate than the present settings.
+Settings exact(const System& system, const Settings& settings, const Plan& plan) {
+  if (!has_contact(system)) return {.integrator = &dop853, .frame_rate = settings.frame_rate, .substeps = 1, .tolerance = 1e-13};
+  const int stable = min_substeps(plan, blanes_moan4, settings.frame_rate).value_or(settings.substeps);
+  return {.integrator = &blanes_moan4, .frame_rate = settings.frame_rate, .substeps = 8 * std::max(stable, settings.substeps)};
+}
+
+// The search for one piece of advice after the other, with the present settings as the measure.
+class Search {
+ public:
+  Search(Frames& frames, const Settings& settings, const Frames::Result& reference, const Frames::Result& present)
+      : frames_(frames), settings_(settings), reference_(reference), present_(present), error_(frames.distance(present, reference)) {}
+
+  std::optional<TestedCost> test(const Settings& settings, double max_cost) {
+    const auto result = frames_.compute(settings, max_cost * present_.seconds);
+    if (!result) return std::nullopt;
+    return TestedCost{settings, frames_.distance(*result, reference_) / error_, result->seconds / present_.seconds};
+  }
+
+  // The present method with a finer step or a smaller tolerance.
+  std::optional<TestedCost> half_error() {
+    constexpr double max_cost = 16.0, refinement = 1.25;
+    Settings settings = settings_;
+    const bool has_tolerance = settings.integrator->stability == Stability::Adaptive;
+    const double tolerance = settings.tolerance.value_or(is_automatic(settings) ? default_automatic_tolerance : default_tolerance);
+    for (double factor = refinement; factor <= max_cost; factor *= refinement) {
+      if (has_tolerance)
+        settings.tolerance = tolerance / factor;
+      else
+        settings.substeps = std::max(settings.substeps + 1, static_cast<int>(factor * settings_.substeps));
+      const auto tested = test(settings, max_cost);
+      if (!tested) return std::nullopt;
+      if (tested->error <= 0.5) return tested;
+    }
+    return std::nullopt;
+  }
+
+  // Ever more substeps of another method, for as long as they cost no more than the present settings.
+  void try_method(const Integrator& method, CostAdvice& advice) {
+    constexpr int max_substeps = 1 << 14;
+    Settings settings = settings_;
+    settings.integrator = &method;
+    settings.tolerance.reset();
+    // a quarter more than the fewest stable ones, or one
+    settings.substeps = min_substeps(frames_.plan(), method, settings.frame_rate).value_or(max_substeps + 1);
+    if (settings.substeps > 1) settings.substeps += (settings.substeps + 3) / 4;
+    while (settings.substeps <= max_substeps) {
+      const auto tested = test(settings, max_same_cost);
+      if (!tested) return;
+      const double max_cost = advice.cheaper ? advice.cheaper->cost : 1.0 / worthwhile_saving;
+      if (tested->error <= 1.0 && tested->cost < max_cost) advice.cheaper = tested;
+      const double max_error = advice.better ? advice.better->error : 1.0 / worthwhile_accuracy;
+      if (tested->error < max_error) advice.better = tested;
+      settings.substeps = std::max(settings.substeps + 1, settings.substeps * 3 / 2);
+    }
+  }
+
+ private:
+  Frames& frames_;
+  const Settings& settings_;
+  const Frames::Result &reference_, &present_;
+  const double error_;  // [m], of the present settings
+};
+
+}  // namespace
+
+CostAdvice advise_on_cost(const System& system, const State& state, const Settings& settings, const std::atomic<bool>& stop) {
+  CostAdvice advice;
+  if (system.point_count() == 0) return advice;
+  Frames frames(system, state, stop);
+  const auto reference = frames.compute(exact(system, settings, frames.plan())), present = frames.compute(settings);
+  constexpr double round_off = 1e-14;  // [m]
+  if (!reference || !present || !(frames.distance(*present, *reference) > round_off)) return advice;
+
+  Search search(frames, settings, *reference, *present);
+  advice.half_error = search.half_error();
+  for (const Integrator& method : integrators())
+    if (method.for_production && &method != settings.integrator && method.stability != Stability::Adaptive && !is_automatic(settings))
+      search.try_method(method, advice);
+  if (stop) return {};
+  return advice;
+}
+
+std::string describe(const TestedCost& tested, const Settings& present) {
+  const Settings& settings = tested.settings;
+  const std::string method = settings.integrator != present.integrator ? settings.integrator->short_name() + ", " : "";
+  const std::string setting = settings.integrator->stability == Stability::Adaptive
+                                  ? "tolerance " + quantity_text(settings.tolerance.value_or(default_tolerance), "m", 2)
+                                  : pluralize(static_cast<std::size_t>(settings.substeps), "substep", "substeps");
+  constexpr double noticed = 1.8;  // [1]
+  const double ratio = 1.0 / tested.error;
+  const std::string error = !(ratio > noticed) ? "the same error"
+                            : ratio > 1e6      ? "more than a million times less error"
+                                               : number_text(ratio, 2) + " times less error";
+  const std::string time = tested.cost < 0.95 ? number_text(std::round(100.0 * tested.cost)) + " % of the time"
+                                              : number_text(tested.cost, 2) + " times the time";
+  return method + setting + ": " + error + ", " + time;
+}
+
+}  // namespace hooke
