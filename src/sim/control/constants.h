@@ -36,8 +36,8 @@ inline constexpr int max_counted_order = 2;
 // [1], the order up to which the path of a step is nearly the parabola that contact takes it for.
 inline constexpr int parabolic_order = 2;
 
-// The error of a frame by a second run. [1], by which the tolerance of a method that chooses its steps is tightened: to the order 8 of dop853
-// as half the step is, with contact, and without; and [m], the least.
+// The error of a frame by a second run. [1], by which the tolerance of a method that chooses its steps is tightened: to the order 8 of
+// dop853 as half the step is, with contact, and without; and [m], the least.
 inline constexpr double tighter_as_half_step = 1.0 / 256.0, tighter_with_contact = 0.1, tighter = 1e-3, min_tolerance = 1e-15;
 // Where a method dissipates the fastest vibration, so that less than this part of the square of its amplitude [1] is left of it after a
 // frame, the second run is that of a method that keeps it: with substeps shorter than the linear limit by a margin [1], which change no
@@ -50,9 +50,10 @@ inline constexpr double kept_vibration = 0.8, resolving_margin = 1.5, resolving_
 inline constexpr double spring_cost = 2.8, point_cost = 0.4, call_cost = 80.0, unfused_factor = 1.45;
 // The strain limit: each spring in each sweep, and sweeps [1] that are expected.
 inline constexpr double limit_cost = 5.0, expected_limit_sweeps = 5.0;
-// Contact: a point with each collider; a point with all others, at the least, and expected between a flight and a pile; a pair that is
-// examined; an impulse.
-inline constexpr double collider_cost = 10.0, neighbor_cost = 20.0, expected_neighbor_cost = 400.0, contact_test = 45.0, contact_impulse = 18.0;
+// Contact: a point with each collider; a point with others, and one of faces and springs, at the least, and as expected between a flight
+// and a pile; a pair that is examined; an impulse.
+inline constexpr double collider_cost = 10.0, neighbor_cost = 20.0, surface_cost = 200.0, expected_neighbor_cost = 400.0,
+                        contact_test = 45.0, contact_impulse = 18.0;
 // Sweeps over springs as constraints: each spring, each point, and the call; over dashpots: each.
 inline constexpr double constraint_cost = 10.2, constraint_point_cost = 1.0, constraint_call_cost = 100.0, dashpot_cost = 2.6;
 // A factorization: each point, and for each loop per point and the root of the points; a solution: each point, and for each loop per point

@@ -31,8 +31,9 @@ CostModel::CostModel(const Plan& plan) {
     expected_limit_ = expected_limit_sweeps * limit_sweep_;
   }
   const double contacts = (plan.pairs.on ? 1.0 : 0.0) + (plan.surface.on ? 1.0 : 0.0);
-  contact_ = points * (collider_cost * static_cast<double>(plan.colliders.size()) + neighbor_cost * contacts);
-  expected_contact_ = contact_ + (expected_neighbor_cost - neighbor_cost) * points * contacts;
+  const double search = (plan.pairs.on ? neighbor_cost : 0.0) + (plan.surface.on ? surface_cost : 0.0);
+  contact_ = points * (collider_cost * static_cast<double>(plan.colliders.size()) + search);
+  expected_contact_ = contact_ + points * std::max(0.0, expected_neighbor_cost * contacts - search);
   sweep_ = constraint_cost * springs + constraint_point_cost * points + constraint_call_cost;
   dashpots_ = plan.has_dashpots() ? dashpot_cost * springs : 0.0;
 
