@@ -65,10 +65,10 @@ TEST(Judgement, IsThatOfTheWorst) {
   EXPECT_EQ(judge(accuracy).text, "error of a frame 2 mm, 0.2 % of the size");
   accuracy.accumulated.value = 0.3;
   EXPECT_EQ(judge(accuracy).text, "accumulated error 300 mm, 30 % of the motion");
-  accuracy.energy.method = 0.5;
+  accuracy.energy.change = 0.5;
   EXPECT_EQ(judge(accuracy).level, Level::Bad);
   EXPECT_EQ(judge(accuracy).text, "energy gained by the method: 50 % of what was supplied");
-  accuracy.energy.method = -0.99;
+  accuracy.energy.change = -0.99;
   accuracy.loss = Loss::Dissipated;
   EXPECT_EQ(judge(accuracy).text, "motion dissipated by the method: 99 % of the energy");
 }
@@ -78,7 +78,7 @@ TEST(FrameError, IsMeasuredAgainWhenSomethingTouches) {
   sim.add({0.0, 1.0, 0.0});
   sim.system.colliders = {{.shape = Plane{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, .restitution = 0.5}};
   Lab lab = measured_lab(scene_of(sim, {.substeps = 4, .tolerance = {}}), AccuracyMode::Frame);
-  while (lab.last_frame().motion().contact_work == 0.0) {
+  while (lab.last_frame().motion().energy[EnergyCause::Contact] == 0.0) {
     ASSERT_TRUE(lab.step());
     ASSERT_LT(lab.scene().state.time, 1.0);
   }

@@ -73,7 +73,7 @@ TEST(StatusBar, TheLineAndThePanelHaveTheSameColorAndWords) {
   gui.app().panels().accuracy_shown = true;
   Accuracy bad = measured(1.4e-5, {}, INFINITY);
   bad.loss = Loss::Dissipated;
-  bad.energy.method = -0.448;
+  bad.energy.change = -0.448;
   bad.energy_scale = 0.45;
   text_of(gui, bad, "status");
   EXPECT_TRUE(has_text_in("status", palette::bad, "motiondissipatedbythemethod:100%oftheenergy"));

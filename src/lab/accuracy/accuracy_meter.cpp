@@ -112,7 +112,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   ++frames_since_repetition_;
   const bool is_first = !repetition_.result() && !repetition_.has_failed();
   // the first frame in which something touches may be a thousand times as wrong as those before it
-  const bool is_touching = motion.contact_work != 0.0 || motion.counts.contact_impulses > 0;
+  const bool is_touching = motion.energy[EnergyCause::Contact] != 0.0 || motion.counts.contact_impulses > 0;
   const bool is_impact = !std::exchange(was_touching_, is_touching) && is_touching;
   const bool is_due = is_first || is_impact ||
                       frames_since_repetition_ >= repetition_period_of(settings.frame_rate, is_edited_ || mode_ == AccuracyMode::Full);

@@ -23,7 +23,7 @@ constexpr double min_error = 1e-6;
 std::string percent(double part) { return number_text(100.0 * part, 2) + " %"; }
 
 double energy_part(const Accuracy& accuracy) {
-  return accuracy.energy_scale > 0.0 ? std::abs(accuracy.energy.method) / accuracy.energy_scale : 0.0;
+  return accuracy.energy_scale > 0.0 ? std::abs(accuracy.energy.method()) / accuracy.energy_scale : 0.0;
 }
 
 // What is judged, relative to its limits: the worst decides.
@@ -73,7 +73,7 @@ Judgement judge(const Accuracy& accuracy) {
               "error " + part_of_motion_text(part));
   }
   const double part = energy_part(accuracy);
-  const std::string gone = accuracy.energy.method < 0.0 ? "lost" : "gained";
+  const std::string gone = accuracy.energy.method() < 0.0 ? "lost" : "gained";
   worst.add(part, of_energy, "energy " + gone + " by the method: " + percent(part) + " of what was supplied", "energy " + gone);
   switch (accuracy.loss) {
     case Loss::None:
