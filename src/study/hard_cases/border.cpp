@@ -126,8 +126,8 @@ Verdict judge_hidden_window(const Integrator& method) {
   long slow = 0;
   for (int i = 0; i < 40; ++i) slow += frames_after(0.1, false);
   const double shown = lab.status()->run.speed;
-  // `auto` computes some frames at once
-  const bool is_slow = is_automatic(run.settings()) || slow <= 2;
+  // `auto` computes some frames at once, and some methods several substeps
+  const bool is_slow = is_automatic(run.settings()) || method.steps != nullptr || slow <= 2;
   return judge(run, Expectation::Hold, jump <= 16 && next <= 2 && is_slow && shown < 0.5,
                formatted("%ld frames after 10 s, %ld after the next 60th; too slow: shows %.2g of real time", jump, next, shown));
 }
