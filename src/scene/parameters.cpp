@@ -233,7 +233,7 @@ constexpr std::array rows{
               .min = 1, .max = 1000, .default_value = 30, .physical = positive, .logarithmic = true, .omit_if_default = true, .applies = has_contact_in_scene,
               .read = [](const Scene& s) { return s.system.contact.frequency; },
               .write = [](Scene& s, double value) { s.system.contact.frequency = value; }},
-    Parameter{.name = "contact_damping_ratio", .field = "contact.damping_ratio", .group = parameter_group::contact, .label = "Damping ratio of contact", .unit = "",
+    Parameter{.name = "contact_damping_ratio", .field = "contact.damping_ratio", .group = parameter_group::contact, .label = "Damping of contact", .unit = "",
               .description = "Damping ratio with which overlaps of faces and springs are removed.",
               .min = 0.1, .max = 100, .default_value = 1, .physical = positive, .logarithmic = true, .omit_if_default = true, .applies = has_contact_in_scene,
               .read = [](const Scene& s) { return s.system.contact.damping_ratio; },

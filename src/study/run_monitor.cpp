@@ -21,13 +21,13 @@ double unexplained_energy(const System& system, const State& state) {
   return compute_energy(system, state).total() - state.supply.net_input;
 }
 
-// [J], in a frame, negative, at least: by contact, and by drag and dashpots where they are measured. These act on the velocities of a
-// method, whose vibrations have another share of kinetic energy than those of the scene: by (h omega)^2 / 6 for Verlet methods.
-double measured_dissipation(const Plan& plan, double h, const Motion& motion) {
+// [J], in a frame, negative: by contact; and by drag and dashpots where contact or a strain limit may hide a gain. Elsewhere a gain is a
+// rise of the energy, whereas damping acts on the velocities of the method, whose vibrations have another share of kinetic energy.
+double measured_dissipation(const Plan& plan, const Motion& motion) {
   using enum EnergyCause;
   const EnergyLedger ledger = explained(motion.energy, plan.hand.held || plan.collider_paths.any_moves);
-  const double angle = plan.spectrum.omega * h, certain = std::max(0.0, 1.0 - angle * angle / 6.0);
-  return ledger[Contact] + certain * (ledger[Drag] + ledger[Dashpots]);
+  const bool may_hide = plan.touches_itself() || !plan.spring.max_length.empty();
+  return ledger[Contact] + (may_hide ? ledger[Drag] + ledger[Dashpots] : 0.0);
 }
 
 // [J], at most, in a frame by contact and forces. What colliders and forces do is part of the supplied energy, up to an error no larger
@@ -132,7 +132,7 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   const Now now{plan, settings, state, &motion};
   const double energy = unexplained_energy(system, state);
   scale_ = state.supply.scale;
-  dissipated_ += measured_dissipation(plan, settings.substep(), motion);
+  dissipated_ += measured_dissipation(plan, motion);
   max_dissipated_ += dissipation_.end_frame(plan, system, state, motion) + booked_dissipation(motion) +
                      unresolved_dissipation(plan, settings, state, kinetic_energy(system, state));
   if (energy - lowest_.energy > rise_.energy) {

@@ -31,6 +31,7 @@ testing::AssertionResult shows(GuiFixture& gui, const std::string& text) {
 
 TEST(Wording, OfTheHintsBelowTheSliders) {
   Scene scene = load_scene(find_scene("cloth")).scene;
+  scene.settings.integrator = &default_integrator();
   scene.settings.substeps = 40;
   GuiFixture gui(scene);
   EXPECT_TRUE(shows(gui, "\u03c9h = 1.7, 84 % of the limit"));
