@@ -23,7 +23,8 @@ std::string warning_after(std::initializer_list<MeasuredFrame> frames) {
   network.add(Vec3(0.0), 1.0, {1.0, 0.0, 0.0});
   initialize_supply(network.system, network.state);
   const Settings settings{.integrator = find_integrator("runge_kutta4")};
-  const Plan plan = make_plan(network.system);
+  Plan plan = make_plan(network.system);
+  plan.surface.on = true;  // something may touch
   State state = network.state;
   RunMonitor monitor(plan, settings, network.system, state, 0);
   for (const MeasuredFrame& frame : frames) {
