@@ -161,7 +161,7 @@ TEST(Headless, WithoutAFileASummaryGoesToStdoutUnlessQuiet) {
 TEST(Headless, WarningsGoToStderrUnlessQuiet) {
   const std::vector<std::string> words{"run", "cloth", "--seconds", "0", "--substeps", "1", "--json", "-"};
   const Outcome loud = headless(words);
-  EXPECT_EQ(loud.err.find("warning: simulation.substeps: 1: may be too few for velocity_verlet here: "), 0u) << loud.err;
+  EXPECT_EQ(loud.err.find("warning: simulation.substeps: 1: may be too few for velocity_verlet_explicit here: "), 0u) << loud.err;
   EXPECT_EQ(loud.out.front(), '{');
   std::vector<std::string> quiet = words;
   quiet.emplace_back("--quiet");
