@@ -52,7 +52,8 @@ std::string StepLimits::limit_text(const Integrator& method, double frame_rate) 
   const auto substeps = stable_substeps(method, frame_rate);
   if (!substeps || std::isinf(stable_step(method))) return {};
   // the bound of a listed force is that of its strongest point, which the scene may never reach
-  const bool is_of_forces = std::hypot(spectrum_.force_omega, spectrum_.estimated_omega) > 0.5 * spectrum_.omega;
+  const bool is_of_forces = spectrum_.force_omega * spectrum_.force_omega + spectrum_.estimated_omega * spectrum_.estimated_omega >
+                            0.25 * spectrum_.omega * spectrum_.omega;
   return (is_set_by_contact(method) ? "contact may cause growth with fewer than " : "its linear stability limit is ") +
          std::to_string(*substeps) + (*substeps == 1 ? " substep" : " substeps") + " per frame" +
          (is_of_forces ? " where the listed forces are strongest" : "");
