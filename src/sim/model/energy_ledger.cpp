@@ -28,16 +28,20 @@ EnergyLedger& EnergyLedger::operator*=(double factor) {
 EnergyLedger explained(const EnergyLedger& frame, bool moves) {
   using enum EnergyCause;
   constexpr std::array only_take{StrainLimit, Drag, Dashpots, Contact};
-  const auto applies = [&](EnergyCause cause) { return cause != StrainLimit || !moves; };
+  const auto may_supply = [&](EnergyCause cause) { return cause == StrainLimit && moves; };
   double supplied = 0.0, taken = 0.0;
   for (const EnergyCause cause : only_take)
-    if (applies(cause)) (frame[cause] > 0.0 ? supplied : taken) += frame[cause];
+    if (frame[cause] < 0.0 || !may_supply(cause)) (frame[cause] > 0.0 ? supplied : taken) += frame[cause];
   if (!(supplied > 0.0)) return frame;
 
   const double kept = taken < 0.0 ? std::max(0.0, 1.0 + supplied / taken) : 0.0;
   EnergyLedger result = frame;
-  for (const EnergyCause cause : only_take)
-    if (applies(cause)) result[cause] = std::min(0.0, kept * frame[cause]);
+  for (const EnergyCause cause : only_take) {
+    if (frame[cause] < 0.0)
+      result[cause] *= kept;
+    else if (!may_supply(cause))
+      result[cause] = 0.0;
+  }
   return result;
 }
 
