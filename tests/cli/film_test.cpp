@@ -178,9 +178,9 @@ TEST_F(Replays, MeasureTheAccuracyOfTheRecordedFrames) {
   const auto& samples = report["samples"];
   ASSERT_EQ(samples.Size(), 6u);
   for (rapidjson::SizeType i = 0; i < samples.Size(); ++i) {
-    ASSERT_EQ(samples[i]["error"]["frame"].IsNull(), i == 0 || i == 2) << i;  // the edit is at frame 10, a repeated one at 12
+    ASSERT_EQ(samples[i]["error"]["frame"].IsNull(), i == 0) << i;  // measured again after the edit at frame 10
     ASSERT_EQ(samples[i]["error"]["accumulated"].IsNull(), i == 0) << i;
-    ASSERT_EQ(samples[i]["half_error"]["cost"].IsNull(), i == 0 || i == 2) << i;  // measured, as the cloth may touch something
+    ASSERT_EQ(samples[i]["half_error"]["cost"].IsNull(), i == 0) << i;  // measured, as the cloth may touch something
     ASSERT_TRUE(samples[i]["energy_balance"].IsObject());
   }
   const auto rows = lines_of(run("replay a.hookelog --sample 0.1 --csv - --quantities time,error,accumulated_error,energy_method").out);

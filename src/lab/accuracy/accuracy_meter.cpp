@@ -16,8 +16,8 @@ namespace {
 
 // One frame in this many is repeated, at twice its cost: 5 % of the run.
 constexpr int repetition_period = 40;
-// [s], of simulated time: after an edit, and where the cost of the second runs is accepted anyway, the next one follows in less, so that no
-// older value is shown.
+// [s], of simulated time: where the cost of the second runs is accepted anyway, the next one follows in less, so that no older value is
+// shown.
 constexpr double max_age = 0.16;
 
 int repetition_period_of(double frame_rate, bool is_short) {
@@ -114,8 +114,8 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   // the first frame in which something touches may be a thousand times as wrong as those before it
   const bool is_touching = motion.energy[EnergyCause::Contact] != 0.0 || motion.counts.contact_impulses > 0;
   const bool is_impact = !std::exchange(was_touching_, is_touching) && is_touching;
-  const bool is_due = is_first || is_impact ||
-                      frames_since_repetition_ >= repetition_period_of(settings.frame_rate, is_edited_ || mode_ == AccuracyMode::Full);
+  const bool is_due = is_first || is_impact || is_edited_ ||
+                      frames_since_repetition_ >= repetition_period_of(settings.frame_rate, mode_ == AccuracyMode::Full);
   // what a method gains where a spring breaks says nothing of the frames that follow
   if (is_due && motion.breaks.empty() && (is_impact || !repetition_.is_in_progress())) {
     const bool collapses = settings.integrator->stability != Stability::Adaptive && !is_automatic(settings) && can_collapse(system, before);
