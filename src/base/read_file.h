@@ -14,8 +14,8 @@ std::string read_file(const std::filesystem::path& file);
 // for compressed text that is damaged or of more than max_file_bytes.
 std::string read_text_file(const std::filesystem::path& file);
 
-// The contents of a file in `folder` or its subfolders, with the limits and errors of read_file. Refuses an absolute path, one that leads out
-// of the folder, and symbolic links. `name` stands for the file in messages.
+// The contents of a file in `folder` or its subfolders, with the limits and errors of read_file. Refuses an absolute path, one that leads
+// out of the folder, and symbolic links. `name` stands for the file in messages.
 std::string read_file_within(const std::filesystem::path& folder, const std::filesystem::path& path, const std::string& name);
 
 }  // namespace hooke

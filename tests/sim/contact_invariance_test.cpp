@@ -111,7 +111,7 @@ TEST_P(ContactIsTheSame, InOtherUnits) {
 TEST_P(ContactIsTheSame, AtAnotherPlaceInAMirrorAndInAnotherOrder) {
   constexpr double seconds = 0.04;
   const Integrator& method = *GetParam();
-  TestSim original = draping(), finer = draping(), far = moved(draping(), [](const Vec3& x) { return x; }, {8.0, 3.0, -5.0});
+  TestSim original = draping(), finer = draping(), far = moved(draping(), [](const Vec3&x) { return x; }, {8.0, 3.0, -5.0});
   const auto turn = [](const Vec3& x) {
     return Vec3(0.36 * x.x + 0.48 * x.y - 0.8 * x.z, -0.8 * x.x + 0.6 * x.y, 0.48 * x.x + 0.64 * x.y + 0.6 * x.z);
   };

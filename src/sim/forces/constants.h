@@ -20,10 +20,10 @@ inline constexpr Index min_springs_of_halves = 16'000, min_springs_per_crossing 
 inline constexpr int max_limit_rounds = 16;
 inline constexpr double limit_tolerance = 1e-9, max_conserving_ratio = 1.01;
 
-// The power of listed forces, drag and dashpots is integrated by Simpson's rule up to this rate times the step [1] and this second difference, relative to the
-// power [1]. With a larger product the rule yields more than implicit methods dissipate, by a fraction of (rate h)^2 / 12, which would
-// appear as a gain; points faster than the air have higher rates than the estimate, and then the power changes by more than a part of
-// itself.
+// The power of listed forces, drag and dashpots is integrated by Simpson's rule up to this rate times the step [1] and this second
+// difference, relative to the power [1]. With a larger product the rule yields more than implicit methods dissipate, by a fraction of (rate
+// h)^2 / 12, which would appear as a gain; points faster than the air have higher rates than the estimate, and then the power changes by
+// more than a part of itself.
 inline constexpr double max_resolved_rate = 0.3, max_power_bend = 0.2;
 
 // [1], of the energy of its motion far away, by which a force may change that of a point within a step without being resolved.

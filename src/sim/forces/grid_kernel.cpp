@@ -184,19 +184,27 @@ void advance(const Plan& plan, const LeapfrogPass<double>& pass, int count) {
   const auto views = std::views::transform(plan.spring.grids, [&](const Grid& grid) { return view_of(plan, grid); });
   advance_all(
       plan, views, pass, count,
-      [](const auto& view, const auto& band, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_band)
-                                                                 (view, band, each); },
-      [](Index first, Index end, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_part)
-                                                     (first, end, each); });
+      [](const auto& view, const auto& band, const auto& each) {
+        HWY_DYNAMIC_DISPATCH(advance_band)
+        (view, band, each);
+      },
+      [](Index first, Index end, const auto& each) {
+        HWY_DYNAMIC_DISPATCH(advance_part)
+        (first, end, each);
+      });
 }
 
 void advance(const Plan& plan, std::span<const GridView<float>> grids, const LeapfrogPass<float>& pass, int count) {
   advance_all(
       plan, grids, pass, count,
-      [](const auto& view, const auto& band, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_single_band)
-                                                                 (view, band, each); },
-      [](Index first, Index end, const auto& each) { HWY_DYNAMIC_DISPATCH(advance_single_part)
-                                                     (first, end, each); });
+      [](const auto& view, const auto& band, const auto& each) {
+        HWY_DYNAMIC_DISPATCH(advance_single_band)
+        (view, band, each);
+      },
+      [](Index first, Index end, const auto& each) {
+        HWY_DYNAMIC_DISPATCH(advance_single_part)
+        (first, end, each);
+      });
 }
 
 void advance_with_known(const Plan& plan, const LeapfrogPass<double>& pass) {

@@ -8,7 +8,8 @@
 namespace hooke {
 
 // [1], by which the step should be below the linear limit. The limit holds for small oscillations. Nets that rotate and stretch can gain
-// energy at smaller steps; none of 120 random nets started far from equilibrium did with steps shorter by this factor (docs/reference/methods.md).
+// energy at smaller steps; none of 120 random nets started far from equilibrium did with steps shorter by this factor
+// (docs/reference/methods.md).
 inline constexpr int default_margin = 4;
 // [1], the same where springs pass through zero length (sim/forces/energy/energy.h): their direction reverses within a step, which no
 // frequency describes. Of 2000 nets, in most of which they do, up to 79 gain more than 20 % of their energy in 3 s at the default margin,

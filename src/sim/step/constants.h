@@ -36,7 +36,8 @@ inline constexpr int max_at_once = 64;
 
 // Divergence.
 
-// [1], the energy may exceed what was supplied by this factor times its magnitude: no method that works gains as much (docs/evidence/stability.md).
+// [1], the energy may exceed what was supplied by this factor times its magnitude: no method that works gains as much
+// (docs/evidence/stability.md).
 inline constexpr double divergence_factor = 100.0;
 // [1], and a gain must be at least this fraction of the kinetic and elastic energy: in a long fall these exceed what was supplied by far,
 // and so does a small relative error.
