@@ -84,11 +84,9 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     is_edited_ = false;
     size_ = size_of(before);
     energy_.start(before, energy_before);
-    max_kinetic_ = kinetic_energy(system, before);
+    past_ = {.max_kinetic = kinetic_energy(system, before)};
     start_.clear();
     motion_ = 0.0;
-    is_smooth_ = true;
-    is_unresolved_ = is_aliased_ = has_broken_ = false;
     second_runs_.restart(size_);
   }
   // the order depends on every spring: determined again only when it may have changed
@@ -102,12 +100,12 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     repetitions_ = 0;
   }
   method_ = settings.integrator;
-  has_broken_ = has_broken_ || !motion.breaks.empty();
-  is_smooth_ = is_smooth_ && !touches_ && !ignores_tolerance_ && !has_broken_ && !plan.hand.held && !plan.hand.pull;
-  is_aliased_ = is_aliased_ || !resolves_colliders(plan, settings_used(settings, after));
+  past_.has_broken = past_.has_broken || !motion.breaks.empty();
+  past_.is_smooth = past_.is_smooth && !touches_ && !ignores_tolerance_ && !past_.has_broken && !plan.hand.held && !plan.hand.pull;
+  past_.is_aliased = past_.is_aliased || !resolves_colliders(plan, settings_used(settings, after));
   energy_.add_frame(plan, before, after, motion, energy);
-  energy_scale_ = after.supply.scale;
-  max_kinetic_ = std::max(max_kinetic_, kinetic_energy(system, after));
+  past_.supplied = after.supply.scale;
+  past_.max_kinetic = std::max(past_.max_kinetic, kinetic_energy(system, after));
 
   ++frames_since_repetition_;
   const bool is_first = !repetition_.result() && !repetition_.has_failed();
@@ -139,7 +137,7 @@ void AccuracyMeter::repeat(const System& system) {
     if (!refinement_) refinement_.emplace();
     refinement_->by_half = kept * refinement_->by_half + refinement->by_half;
     refinement_->by_quarter = kept * refinement_->by_quarter + refinement->by_quarter;
-    if (collapses_ && refinement->by_quarter > std::max(refinement->by_half, min_unresolved * size_)) is_unresolved_ = true;
+    if (collapses_ && refinement->by_quarter > std::max(refinement->by_half, min_unresolved * size_)) past_.is_unresolved = true;
   }
 }
 
@@ -154,7 +152,7 @@ void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
     reason = "not yet measured since the last edit";
   else if (!std::isfinite(result->error.rms))
     reason = "with half the step this frame diverges";
-  else if (is_aliased_)
+  else if (past_.is_aliased)
     reason = oscillates_too_fast;
   if (!reason.empty()) {
     accuracy.frame.reason = accuracy.frame_max.reason = reason;
@@ -170,7 +168,7 @@ bool AccuracyMeter::is_damped_by_method() const {
   using enum EnergyCause;
   const EnergyLedger& ledger = balance.ledger;
   const double by_scene = -(ledger[Drag] + ledger[Dashpots] + ledger[Contact] + std::min(0.0, ledger.forces()));
-  return -balance.method() > std::max(max_dissipated_part * max_kinetic_, by_scene);
+  return -balance.method() > std::max(max_dissipated_part * past_.max_kinetic, by_scene);
 }
 
 void AccuracyMeter::measure_run(Accuracy& accuracy) const {
@@ -178,7 +176,7 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
   const auto& growth = second_runs_.growth();
   accuracy.since = second_runs_.since();
   accuracy.motion = motion_;
-  accuracy.is_smooth = is_smooth_;
+  accuracy.is_smooth = past_.is_smooth;
   const bool is_chaotic = growth && growth->rate > 0.0;
   if (mode_ != AccuracyMode::Full) {
     accuracy.accumulated.reason = accuracy.amplification.reason = "the second runs are switched off";
@@ -195,16 +193,16 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
       lose(Loss::HalfStepDiverged, "the run with half the step diverged");
     else if (is_chaotic && error->rms > max_error * size_)
       lose(Loss::Unpredictable, "beyond the time for which the motion can be predicted");
-    else if (is_unresolved_ && error->rms < min_certain * motion_)
+    else if (past_.is_unresolved && error->rms < min_certain * motion_)
       lose(Loss::Unresolved, passes_through_zero);
-    else if (is_aliased_)
+    else if (past_.is_aliased)
       lose(Loss::Unresolved, oscillates_too_fast);
     else if (!second_runs_.is_resolving() && is_damped_by_method())
       lose(Loss::Dissipated, "the method dissipated the motion, and would with half the step");
     else
       accuracy.accumulated.value = error->rms;
     if (error) accuracy.accumulated_time = error->time;
-    if (const auto& max = second_runs_.max_error(); max && !is_aliased_) {
+    if (const auto& max = second_runs_.max_error(); max && !past_.is_aliased) {
       accuracy.max_accumulated = max->rms;
       accuracy.max_accumulated_time = max->time;
     }
@@ -228,7 +226,7 @@ Accuracy AccuracyMeter::accuracy(const Settings& settings) const {
   Accuracy accuracy{.is_on = mode_ != AccuracyMode::Off, .size = size_};
   if (is_started_) {
     accuracy.energy = energy_.balance();
-    accuracy.energy_scale = energy_scale_;
+    accuracy.energy_scale = past_.supplied;
   }
   if (!accuracy.is_on) {
     for (Measured* each : {&accuracy.frame, &accuracy.frame_max, &accuracy.accumulated, &accuracy.amplification, &accuracy.growth_rate,
@@ -246,15 +244,15 @@ void AccuracyMeter::measure_half_error(const Settings& settings, Accuracy& accur
   accuracy.half_error_reason = "no frame yet";
   if (!is_started_) return;
   // springs break at the ends of substeps, whatever the method
-  double order = has_broken_ ? 1 : order_;
+  double order = past_.has_broken ? 1 : order_;
   const bool adapts = settings.integrator->stability == Stability::Adaptive;
-  if (ignores_tolerance_ || (has_broken_ && adapts && !is_automatic(settings))) {
+  if (ignores_tolerance_ || (past_.has_broken && adapts && !is_automatic(settings))) {
     accuracy.half_error_reason = ignores_tolerance_ ? "contact and the strain limit hardly depend on the tolerance"
                                                     : "the time at which springs break does not depend on the tolerance";
     return;
   }
-  if (is_unresolved_ || is_aliased_) {
-    accuracy.half_error_reason = is_unresolved_ ? passes_through_zero : oscillates_too_fast;
+  if (past_.is_unresolved || past_.is_aliased) {
+    accuracy.half_error_reason = past_.is_unresolved ? passes_through_zero : oscillates_too_fast;
     return;
   }
   if (touches_) {

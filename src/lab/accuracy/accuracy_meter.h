@@ -50,27 +50,32 @@ class AccuracyMeter {
   void measure_half_error(const Settings& settings, Accuracy& accuracy) const;
   bool is_damped_by_method() const;
 
+  // What has happened since the start.
+  struct Past {
+    bool is_unresolved = false;  // springs passed through zero length faster than the steps resolve
+    bool is_aliased = false;     // colliders oscillated faster than the steps resolve
+    bool has_broken = false;     // a spring did
+    bool is_smooth = true;       // without contact, springs that break, a strain limit and a hand
+    double max_kinetic = 0.0;    // [J]
+    double supplied = 0.0;       // [J]
+  };
+
   AccuracyMode mode_ = AccuracyMode::Off;
+  Past past_;
   bool is_started_ = false;
   bool is_edited_ = false, was_touching_ = false;  // since the last repeated frame; in the last frame
   double size_ = 1.0;                              // [m]
   int order_ = 1;                                  // of the method on this scene
   // Whether something may touch there, or a strain limit act: then the order is measured, or unknown for a method that adapts its step.
   bool touches_ = false, ignores_tolerance_ = false;
-  bool collapses_ = false;      // whether springs of the repeated frame could pass through zero length, where nothing touches
-  bool is_unresolved_ = false;  // whether they did, at any time, faster than the steps resolve
-  bool is_aliased_ = false;     // whether colliders oscillated faster than the steps resolve, at any time
-  bool has_broken_ = false;     // whether any spring did
-  bool is_smooth_ = true;       // so far, without contact, springs that break, a strain limit and a hand
+  bool collapses_ = false;  // whether springs of the repeated frame could pass through zero length, where nothing touches
   // [m], sums over repeated frames, older ones with less weight
   std::optional<FrameRefinement> refinement_;
   int repetitions_ = 0;  // since the order was determined
   const Integrator* method_ = nullptr;
   int frames_since_repetition_ = 0;
-  double max_kinetic_ = 0.0;   // [J], since the start
-  double energy_scale_ = 0.0;  // [J], supplied so far
-  std::vector<Vec3> start_;    // positions [m], in full mode
-  double motion_ = 0.0;        // [m], maximum RMS distance from there
+  std::vector<Vec3> start_;  // positions [m], in full mode
+  double motion_ = 0.0;      // [m], maximum RMS distance from there
   EnergyAccounts energy_;
   FrameRepetition repetition_;
   SecondRuns second_runs_;

@@ -37,8 +37,8 @@ void SecondRuns::restart(double size) {
   is_full_ = false;
   error_.reset();
   max_error_.reset();
-  growth_.reset();
-  pause_ = 0;
+  growth_.result.reset();
+  growth_.pause = 0;
 }
 
 // Waiting frames belong to the scene before the edit.
@@ -63,8 +63,8 @@ void SecondRuns::perturb(const System& system, const State& state, double frame)
       displaced.position[i][c] += perturbation * size_ * random_at(3 * static_cast<std::uint64_t>(i) + static_cast<std::uint64_t>(c));
   }
   perturbed_.shadow.start(displaced);
-  measurement_.start(weighted_distance(system, displaced.position, state.position, 1.0).rms, frame);
-  measured_frames_ = 0;
+  growth_.measurement.start(weighted_distance(system, displaced.position, state.position, 1.0).rms, frame);
+  growth_.frames = 0;
 }
 
 void SecondRuns::add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after,
@@ -86,10 +86,10 @@ void SecondRuns::add_frame(const Plan& plan, const System& system, const Setting
   }
   if (is_edited_) {
     perturbed_.is_on = false;
-    growth_.reset();
-    pause_ = 0;
+    growth_.result.reset();
+    growth_.pause = 0;
   }
-  if (!perturbed_.is_on && --pause_ < 0) {
+  if (!perturbed_.is_on && --growth_.pause < 0) {
     start(perturbed_, plan, before);
     perturb(system, before, 1.0 / settings.frame_rate);
   }
@@ -130,12 +130,12 @@ void SecondRuns::finish_frame(const System& system, Run& run) {
     if (!diverged_ || !error_) error_ = error;
     if (!max_error_ || error_->rms > max_error_->rms) max_error_ = error_;
   } else {
-    ++measured_frames_;
-    measurement_.add(weighted_distance(system, input.end, state.position, 1.0).rms, max_small * size_);
-    if (measurement_.result()) growth_ = measurement_.result();
-    if (measurement_.is_finished() || run.shadow.failed()) {
+    ++growth_.frames;
+    growth_.measurement.add(weighted_distance(system, input.end, state.position, 1.0).rms, max_small * size_);
+    if (growth_.measurement.result()) growth_.result = growth_.measurement.result();
+    if (growth_.measurement.is_finished() || run.shadow.failed()) {
       run.is_on = false;
-      pause_ = pause_factor * measured_frames_;
+      growth_.pause = pause_factor * growth_.frames;
     }
   }
   ++run.next;

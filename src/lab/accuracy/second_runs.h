@@ -33,7 +33,7 @@ class SecondRuns {
   double since() const { return since_; }                       // [s], start of the run with half the step
   const std::optional<Error>& error() const { return error_; }  // none before its first frame
   const std::optional<Error>& max_error() const { return max_error_; }
-  const std::optional<Growth>& growth() const { return growth_; }  // none before the first measurement
+  const std::optional<Growth>& growth() const { return growth_.result; }  // none before the first measurement
   // The run with half the step. Failed: found no step, or took too many.
   bool diverged() const { return diverged_; }
   bool failed() const { return failed_; }
@@ -55,6 +55,13 @@ class SecondRuns {
     long next = 0;  // number of the frame that it computes or waits for
   };
 
+  // Of the distance to the perturbed run.
+  struct GrowthRun {
+    GrowthMeasurement measurement;
+    std::optional<Growth> result;
+    int pause = 0, frames = 0;  // until the next measurement, and of the current one
+  };
+
   bool waits(const Run& run) const { return run.is_on && run.next < first_ + static_cast<long>(inputs_.size()); }
   const Input& input_of(const Run& run) const { return inputs_[static_cast<std::size_t>(run.next - first_)]; }
   void start(Run& run, const Plan& plan, const State& state);
@@ -69,9 +76,7 @@ class SecondRuns {
   std::deque<Input> inputs_;
   long first_ = 0;  // number of the first of them
   std::optional<Error> error_, max_error_;
-  GrowthMeasurement measurement_;
-  std::optional<Growth> growth_;
-  int pause_ = 0, measured_frames_ = 0;  // frames until the next measurement, and those of the current one
+  GrowthRun growth_;
 };
 
 }  // namespace hooke

@@ -372,4 +372,16 @@ Spectrum bound_spectrum(const System& system, const Plan& prepared, double point
 
 }  // namespace
 
+Vec3 Plan::offset_of(std::size_t collider, double time) const {
+  const Vec3 offset = colliders[collider].path.offset(time);
+  const std::optional<GrabbedCollider>& grabbed = collider_paths.grabbed;
+  return grabbed && grabbed->collider == collider ? offset + (time - grabbed->start) * grabbed->velocity : offset;
+}
+
+Vec3 Plan::velocity_of(std::size_t collider, double time) const {
+  const Vec3 velocity = colliders[collider].path.velocity(time);
+  const std::optional<GrabbedCollider>& grabbed = collider_paths.grabbed;
+  return grabbed && grabbed->collider == collider ? velocity + grabbed->velocity : velocity;
+}
+
 }  // namespace hooke

@@ -185,16 +185,8 @@ struct Plan {
   bool has_dashpots() const { return !spring.damping.empty(); }
 
   // Displacement of a collider from its rest position at a time, and its velocity.
-  Vec3 offset_of(std::size_t collider, double time) const {
-    const Vec3 offset = colliders[collider].path.offset(time);
-    const std::optional<GrabbedCollider>& grabbed = collider_paths.grabbed;
-    return grabbed && grabbed->collider == collider ? offset + (time - grabbed->start) * grabbed->velocity : offset;
-  }
-  Vec3 velocity_of(std::size_t collider, double time) const {
-    const Vec3 velocity = colliders[collider].path.velocity(time);
-    const std::optional<GrabbedCollider>& grabbed = collider_paths.grabbed;
-    return grabbed && grabbed->collider == collider ? velocity + grabbed->velocity : velocity;
-  }
+  Vec3 offset_of(std::size_t collider, double time) const;
+  Vec3 velocity_of(std::size_t collider, double time) const;
 };
 
 // The vector of point i in a field; flat in flat scenes.
