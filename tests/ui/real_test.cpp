@@ -94,7 +94,7 @@ TEST(Lesson, ChecksOffEachStepWhenItIsDoneAndNotBefore) {
   gui.key(Key::Space);
   gui.key(letter('M'), {.control = true, .shift = true});
   EXPECT_EQ(done(), 15u);
-  EXPECT_TRUE(gui.wait_until([&] { return !(!gui.app().panel_input({}).comparison.result); }));
+  EXPECT_TRUE(gui.wait_until([&] { return gui.app().panel_input({}).comparison.result != nullptr; }));
   const auto compared = gui.app().panel_input({}).comparison.result;
   ASSERT_TRUE(compared && !compared->record.rows.empty());
   EXPECT_EQ(done(), 15u);
