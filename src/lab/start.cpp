@@ -11,6 +11,12 @@ void Start::set(std::shared_ptr<const Scene> scene) {
   added_.clear();
   released_.clear();
   leaks_.clear();
+  is_edited_ = false;
+}
+
+void Start::keep_edits(const Scene& scene) {
+  if (is_edited_ && scene.state.time == scene_->state.time) set_with_released_nails(scene);
+  is_edited_ = false;
 }
 
 void Start::set_with_released_nails(Scene scene) {
