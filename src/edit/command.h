@@ -16,7 +16,7 @@
 
 namespace hooke {
 
-using CommandVariant = std::variant<Insert, Remove, SetNailed, Move, SetPointColor, SetPointProperty, SetSpringProperty, SetParameter,
+using CommandVariant = std::variant<Insert, Remove, SetNailed, Move, SetPointColor, SetPointProperty, SetSpringProperty, SetSpringLaw, SetParameter,
                                     RestoreParameter, SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity,
                                     SetColliders, SetForces, SetTexture, GoToState, SetTorn, MarkTorn, Replace>;
 

@@ -53,6 +53,7 @@ class NetworkRefinement {
   NetworkRefinement(const System& system, const State& state) : system_(system), state_(state) {}
 
   std::optional<FinerNetwork> run(Index max_points) {
+    if (system_.springs().have_laws()) return std::nullopt;
     find_grids_of_springs();
     if (fine_.empty()) return std::nullopt;
     place_points();

@@ -92,7 +92,7 @@ void energy_section(const Accuracy& accuracy) {
   const EnergyLedger& ledger = balance.ledger;
   const std::array terms{
       Term{"Hand", ledger[Hand]},           Term{"Edits", ledger[Edits]},     Term{"Forces", ledger.forces()},
-      Term{"Colliders", ledger[Colliders]}, Term{"Limits", ledger.limits()},  Term{"Drag", ledger[Drag]},
+      Term{"Muscles", ledger[Muscles]},     Term{"Colliders", ledger[Colliders]}, Term{"Limits", ledger.limits()},  Term{"Drag", ledger[Drag]},
       Term{"Dashpots", ledger[Dashpots]},   Term{"Contact", ledger[Contact]},
   };
   double scale = std::max(std::abs(balance.change), std::abs(balance.method()));
