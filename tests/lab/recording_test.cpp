@@ -50,7 +50,7 @@ std::vector<Command> one_of_each() {
       SetPointColor{{{PointId{1}, Color{9, 8, 7}}, {PointId{2}, std::nullopt}}},
       SetPointProperty{PointProperty::Radius, {{PointId{1}, 0.1}}},
       SetSpringProperty{SpringProperty::BreakStrain, {{SpringId{1}, never_breaks}}},
-      SetSpringLaw{{{SpringId{1}, SpringLaw{.force = SpringForce::Cubic, .k3 = -5.0, .amplitude = 0.5, .rate = 0.1}}, {SpringId{2}, std::nullopt}}},
+      SetSpringLaw{{{SpringId{1}, SpringLaw{.force = SpringForce::Cubic, .k3 = -5.0, .rate = 0.1}}, {SpringId{2}, std::nullopt}}},
       SetParameter{find_parameter("drag"), 0.25},
       RestoreParameter{find_parameter("drag"), 1e9},
       SetIntegrator{find_integrator("xpbd")},

@@ -118,7 +118,8 @@ double unexplained(const Integrator& method, int substeps, const std::string& me
 TEST(EnergyOfLaws, IsExplainedByMusclesAndDashpots) {
   for (const Integrator* method : {&velocity_verlet, &blanes_moan4, &runge_kutta4, &tr_bdf2}) {
     double muscles = 0.0;
-    EXPECT_LT(unexplained(*method, 60, R"(, "damping": 0.5, "muscle": {"amplitude": 0.2, "frequency": 1.3})", &muscles), 2e-3) << method->id;
+    EXPECT_LT(unexplained(*method, 60, R"(, "damping": 0.5, "muscle": {"amplitude": 0.2, "frequency": 1.3})", &muscles), 2e-3)
+        << method->id;
     EXPECT_GT(std::abs(muscles), 0.1) << method->id;
     EXPECT_LT(unexplained(*method, 60, R"(, "law": "cable", "rest_length_rate": -0.3)", &muscles), 2e-3) << method->id;
     EXPECT_GT(muscles, 0.1) << method->id;

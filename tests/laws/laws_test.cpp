@@ -152,9 +152,7 @@ TestSim cubic_chain(double damping) {
   return sim;
 }
 TEST_P(Laws, MeetsItsOrderOnCubicSprings) { error_of_change(cubic_chain(0.0), 0.6, steps_of(method()), method().order); }
-TEST_P(Laws, MeetsItsOrderOnDampedCubicSprings) {
-  error_of_change(cubic_chain(0.4), 0.6, steps_of(method()), method().order_with.damped);
-}
+TEST_P(Laws, MeetsItsOrderOnDampedCubicSprings) { error_of_change(cubic_chain(0.4), 0.6, steps_of(method()), method().order_with.damped); }
 
 // x'' = w^2 l0 a sin(W t) - w^2 x, from rest, at resonance: x = l0 a / 2 (sin(w t) - w t cos(w t))
 TEST_P(Laws, DrivesAtTheResonanceOfAMuscle) {

@@ -80,9 +80,9 @@ void NetworkRenderer::measure_springs(const DrawContext& context) {
   double sum = 0.0;
   int counted = 0;
   for (std::size_t s = 0; s < springs.size(); ++s) {
-    const double length = glm::distance(position[ends_[s][0]], position[ends_[s][1]]), rest = springs.have_laws()
-                                                                                             ? context.snapshot.system->rest_length_of(springs[s], context.snapshot.state.time)
-                                                                                             : springs[s].rest_length;
+    const double length = glm::distance(position[ends_[s][0]], position[ends_[s][1]]),
+                 rest = springs.have_laws() ? context.snapshot.system->rest_length_of(springs[s], context.snapshot.state.time)
+                                            : springs[s].rest_length;
     strain_[s] = static_cast<float>(rest > 0.0 ? length / rest - 1.0 : length);
     if (!std::isfinite(length)) continue;
     sum += length;

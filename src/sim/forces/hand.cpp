@@ -54,8 +54,7 @@ double hand_power(const Plan& plan, const Motion& motion) {
   for (const auto& [s, other] : plan.hand.held_springs) {
     const Vec3 along = vector_at(plan, motion.x, *plan.hand.held) - vector_at(plan, motion.x, other);
     const double length = glm::length(along);
-    if (plan.inverse_mass[other] == 0.0 && length > 0.0)
-      force -= response_of(plan, s, motion.time, length).of.tension / length * along;
+    if (plan.inverse_mass[other] == 0.0 && length > 0.0) force -= response_of(plan, s, motion.time, length).of.tension / length * along;
   }
   return glm::dot(force, vector_at(plan, motion.v, *plan.hand.held));
 }

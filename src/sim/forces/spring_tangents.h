@@ -14,8 +14,8 @@ struct SpringTangent {
   double axial = 0.0, transverse = 0.0;  // [N/m]
 };
 
-// For every spring with a free end: use(first, second, packed index, tangent at x and this time). `use` may treat both ends as free if its contribution
-// to an end that is not free is ignored.
+// For every spring with a free end: use(first, second, packed index, tangent at x and this time). `use` may treat both ends as free if its
+// contribution to an end that is not free is ignored.
 template <class Use>
 void for_each_spring_tangent(const Plan& plan, double time, const Field& x, const Use& use) {
   for (const SpringRun& run : plan.spring.runs)

@@ -17,12 +17,12 @@ struct SpringLaw {
   SpringForce force = SpringForce::Linear;
   double k3 = 0.0;  // [N/m^3], of the cubic force
   // The rest length follows (l0 + rate t within its limits) (1 + amplitude sin(2 pi frequency t + phase)), t the time of the muscles.
-  double amplitude = 0.0;                                              // [1], -1..1
-  double frequency = 1.0;                                              // [1/s], >= 0
-  double phase = 0.0;                                                  // [rad]
-  double rate = 0.0;                                                   // [m/s]
-  double min_rest_length = 0.0;                                        // [m], >= 0
-  double max_rest_length = std::numeric_limits<double>::infinity();    // [m], >= the minimum
+  double amplitude = 0.0;                                            // [1], -1..1
+  double frequency = 1.0;                                            // [1/s], >= 0
+  double phase = 0.0;                                                // [rad]
+  double rate = 0.0;                                                 // [m/s]
+  double min_rest_length = 0.0;                                      // [m], >= 0
+  double max_rest_length = std::numeric_limits<double>::infinity();  // [m], >= the minimum
   bool moves() const { return amplitude != 0.0 || rate != 0.0; }
   bool operator==(const SpringLaw&) const = default;
 };

@@ -75,7 +75,8 @@ SpringList SpringList::select(std::span<const Index> indices) const {
 
 std::size_t SpringList::bytes() const {
   return ids_.capacity() * sizeof(SpringId) + ends_.capacity() * sizeof(ends_[0]) + families_.capacity() * sizeof(SpringFamily) +
-         laws_.capacity() * sizeof(std::optional<SpringLaw>) + stiffness_.bytes() + damping_.bytes() + rest_length_.bytes() + break_strain_.bytes();
+         laws_.capacity() * sizeof(std::optional<SpringLaw>) + stiffness_.bytes() + damping_.bytes() + rest_length_.bytes() +
+         break_strain_.bytes();
 }
 
 bool SpringList::operator==(const SpringList& other) const { return std::ranges::equal(*this, other); }

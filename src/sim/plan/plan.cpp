@@ -8,6 +8,7 @@
 #include "sim/model/grab.h"
 #include "sim/model/portable_math.h"
 #include "sim/model/state.h"
+#include "sim/plan/law_springs.h"
 #include "sim/plan/numbering/point_order.h"
 #include "sim/plan/numbering/spring_runs.h"
 #include "sim/plan/spectrum_rows.h"
@@ -78,27 +79,6 @@ void plan_length_limits(Plan& plan, const System& system) {
     const bool holds = system.is_on(spring) && spring.rest_length > 0.0;
     plan.spring.max_length[s] = holds ? spring.rest_length * (1.0 + system.strain_limit) : never_breaks;
   }
-}
-
-void plan_laws(Plan& plan, const System& system) {
-  LawSprings& laws = plan.spring.laws;
-  laws = {.clock = system.muscles};
-  if (!system.springs().have_laws()) return;
-  laws.of_packed.assign(plan.springs, no_index);
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Spring spring = system.springs()[plan.spring.index[run.begin + e]];
-      if (!spring.law) continue;
-      laws.of_packed[run.begin + e] = static_cast<Index>(laws.springs.size());
-      laws.springs.push_back({.first = run.first + e,
-                              .second = run.second + e,
-                              .law = *spring.law,
-                              .stiffness = system.stiffness_of(spring),
-                              .damping = system.damping_of(spring),
-                              .rest_length = spring.rest_length});
-      laws.move = laws.move || (spring.law->moves() && system.muscles.rate() != 0.0);
-    }
-  if (laws.springs.empty()) laws = {};
 }
 
 // The forces that are on, and the faces if there are any such forces.

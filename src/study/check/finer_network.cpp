@@ -53,9 +53,8 @@ class NetworkRefinement {
   NetworkRefinement(const System& system, const State& state) : system_(system), state_(state) {}
 
   std::optional<FinerNetwork> run(Index max_points) {
-    if (system_.springs().have_laws()) return std::nullopt;
     find_grids_of_springs();
-    if (fine_.empty()) return std::nullopt;
+    if (fine_.empty() || system_.springs().have_laws()) return std::nullopt;
     place_points();
     if (points_.size() > static_cast<std::size_t>(max_points)) return std::nullopt;
     for (const Fine& fine : fine_) {

@@ -19,7 +19,11 @@ struct LawNumber {
 };
 constexpr double any = 1e12;
 const LawNumber numbers[] = {
-    {{.label = "Cubic k3", .unit = "N/m^3", .description = "Force per elongation cubed; negative: the spring softens.", .min = -any, .max = any},
+    {{.label = "Cubic k3",
+      .unit = "N/m^3",
+      .description = "Force per elongation cubed; negative: the spring softens.",
+      .min = -any,
+      .max = any},
      &SpringLaw::k3,
      true},
     {{.label = "Muscle", .description = "Amplitude of the rest length, relative to it; 0: no muscle.", .min = -1.0, .max = 1.0},
@@ -29,12 +33,7 @@ const LawNumber numbers[] = {
     {{.label = "Winch", .unit = "m/s", .description = "Rate of the rest length; 0: no winch.", .min = -1e6, .max = 1e6}, &SpringLaw::rate},
     {{.label = "Shortest", .unit = "m", .description = "Minimum rest length of the winch.", .min = 0.0, .max = 1e6},
      &SpringLaw::min_rest_length},
-    {{.label = "Longest",
-      .unit = "m",
-      .description = "Maximum rest length of the winch.",
-      .min = 0.0,
-      .max = 1e6,
-      .infinity_text = "none"},
+    {{.label = "Longest", .unit = "m", .description = "Maximum rest length of the winch.", .min = 0.0, .max = 1e6, .infinity_text = "none"},
      &SpringLaw::max_rest_length},
 };
 
@@ -76,7 +75,8 @@ void build_spring_law(const PanelInput& input, const std::vector<Index>& springs
   for (const LawNumber& row : numbers) {
     const bool is_of_muscle = row.member == &SpringLaw::frequency || row.member == &SpringLaw::phase;
     const bool is_of_winch = row.member == &SpringLaw::min_rest_length || row.member == &SpringLaw::max_rest_length;
-    if ((row.of_cubic && (force.mixed || force.value != SpringForce::Cubic)) || (is_of_muscle && !moves) || (is_of_winch && !winds)) continue;
+    if ((row.of_cubic && (force.mixed || force.value != SpringForce::Cubic)) || (is_of_muscle && !moves) || (is_of_winch && !winds))
+      continue;
     ImGui::PushID(row.field.label.data());
     TypedField field = row.field;
     const Common<double> value = common(springs, [&](Index s) { return law_of(s).*row.member; });

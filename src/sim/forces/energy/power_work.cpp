@@ -91,7 +91,8 @@ double dashpot_work_after(const Plan& plan, double time, double h, const Field& 
     for (Index e = 0; e < run.count; ++e) {
       const Index first = run.first + e, second = run.second + e;
       const double l1 = length(free, first, second);
-      work -= response_of(plan, run.begin + e, time, l1).damping * (l1 - length(start, first, second)) * (length(end, first, second) - l1) / h;
+      work -=
+          response_of(plan, run.begin + e, time, l1).damping * (l1 - length(start, first, second)) * (length(end, first, second) - l1) / h;
     }
   return work;
 }
@@ -175,8 +176,9 @@ void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
   power_ = power_at_end(plan, motion);
   is_power_current_ = true;
   if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
-  impulse_work_ =
-      measures_dashpots_ && !sweeps_->has_swept() && plan.has_contact() ? dashpot_work(plan, motion.time, {x_, v_}, {motion.x, motion.v}) : 0.0;
+  impulse_work_ = measures_dashpots_ && !sweeps_->has_swept() && plan.has_contact()
+                      ? dashpot_work(plan, motion.time, {x_, v_}, {motion.x, motion.v})
+                      : 0.0;
 
   const auto is_resolved = [&](EnergyCause cause) { return rate_of(plan, cause) * h <= max_resolved_rate; };
   EnergyLedger middle;
@@ -199,7 +201,9 @@ void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
 // missing. Over the frame, because the energy of a method oscillates from substep to substep.
 void PowerWork::limit_to_missing(const Plan& plan, const Motion& motion, const EnergyLedger& unresolved) {
   double taken = 0.0, supplied = has_air_ ? air_work(plan, x_, motion.x) : 0.0;
-  for (const EnergyCause cause : by_power) (unresolved[cause] < 0.0 ? taken : supplied) += work_[cause];
+  // what muscles do is not part of the change below, at one time
+  for (const EnergyCause cause : by_power)
+    if (cause != EnergyCause::Muscles) (unresolved[cause] < 0.0 ? taken : supplied) += work_[cause];
   if (taken == 0.0) return;
   const double middle = 0.5 * (time_ + motion.time);
   const double change = kinetic_energy(plan, motion.v) - kinetic_energy(plan, v_) + potential_energy(plan, middle, motion.x) -
@@ -207,7 +211,7 @@ void PowerWork::limit_to_missing(const Plan& plan, const Motion& motion, const E
   const double possible = std::max(taken + carried_, std::min(0.0, change - supplied));
   carried_ += taken - possible;
   for (const EnergyCause cause : by_power)
-    if (unresolved[cause] < 0.0) work_[cause] *= possible / taken;
+    if (unresolved[cause] < 0.0 && cause != EnergyCause::Muscles) work_[cause] *= possible / taken;
 }
 
 void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {

@@ -46,8 +46,8 @@ struct SpringContribution {
 };
 
 template <int Dimensions>
-SpringContribution<Dimensions> spring_contribution(const Plan& plan, double time, double b, Index i, Index j, Index s, const double* x, const double* v,
-                                                   Curvature curvature) {
+SpringContribution<Dimensions> spring_contribution(const Plan& plan, double time, double b, Index i, Index j, Index s, const double* x,
+                                                   const double* v, Curvature curvature) {
   const std::size_t n = plan.points;
   SpringContribution<Dimensions> contribution;
   double length_squared = 0.0, approach = 0.0;

@@ -72,7 +72,7 @@ class StiffnessMatrix {
   static void apply(const VolumeUpdate& update, Field& b);
 
   int dimensions_;
-  double time_ = 0.0;  // [s]
+  double time_ = 0.0;            // [s]
   std::vector<Update> updates_;  // of the pull between points, and of forces on the center of mass
   std::vector<VolumeUpdate> volume_updates_;
   bool has_pull_update_ = false, has_forces_ = false, is_linearized_ = false;
