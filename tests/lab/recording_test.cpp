@@ -79,8 +79,7 @@ TEST(CommandText, EveryCommandIsReadBackAsWritten) {
     kinds.insert(command.index());
     const std::string text = text_of(command);
     JsonParser parser;
-    const rapidjson::Value& value = parser.parse(text);
-    const JsonField whole(name, "command", value);
+    const JsonField whole(name, "command", parser.parse(text));
     EXPECT_EQ(text_of(read_command(whole.members()[0])), text);
   }
   // all except Replace, which contains a scene and is written on several lines

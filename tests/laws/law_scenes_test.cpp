@@ -110,7 +110,7 @@ double unexplained(const Integrator& method, int substeps, const std::string& me
   scene.settings.substeps = substeps;
   Lab lab = measured_lab(scene);
   run(lab, 60);
-  const EnergyBalance& balance = lab.status()->accuracy.energy;
+  const EnergyBalance balance = lab.accuracy().energy;
   if (muscles != nullptr) *muscles = balance.ledger[EnergyCause::Muscles];
   return std::abs(balance.method()) / (1.0 + std::abs(balance.ledger[EnergyCause::Muscles]));
 }
@@ -133,7 +133,7 @@ TEST(EnergyOfLaws, OfACableThatBreaksIsLost) {
   scene.settings.substeps = 100;
   Lab lab = measured_lab(scene);
   run(lab, 90);
-  const EnergyBalance& balance = lab.status()->accuracy.energy;
+  const EnergyBalance balance = lab.accuracy().energy;
   EXPECT_EQ(lab.scene().system.spring_count(), 0);
   EXPECT_LT(balance.ledger[EnergyCause::Breaks], -0.5 * 100.0 * 0.15 * 0.15);
   EXPECT_NEAR(balance.method(), 0.0, 1e-2);

