@@ -50,19 +50,22 @@ bool add_spring_curve(const DrawContext& context, const Spring& spring, const Ve
   const double pixel = context.camera.meters_per_pixel(0.5 * (from + to), {context.projection.width(), context.projection.height()});
   const SpringLaw law = spring.law.value_or(SpringLaw{});
 
-  // a slack cable hangs as the parabola of about its length
+  const Vec3 along = (to - from) / length;
+  const Across axes = across(context, along);
+
+  // a slack cable hangs as the parabola of about its length; a vertical one aside
   if (law.force == SpringForce::Cable) {
     width *= cable_width;
     const double slack = rest_length - length, gravity = glm::length(system.gravity);
     if (!(slack > 0.0) || !(gravity > 0.0)) return false;
     const double sag = std::min(std::sqrt(0.375 * length * slack) + 0.5 * slack * slack / rest_length, 0.5 * rest_length);
-    add_curve(context, from, to, 16, color, width, depth_offset, strokes,
-              [&](double s) { return 4.0 * s * (1.0 - s) * sag / gravity * system.gravity; });
+    const Vec3 down = system.gravity / gravity, hanging = down - glm::dot(down, along) * along;
+    const Vec3 direction = glm::normalize(hanging + (1.0 - glm::length(hanging)) * axes.in_picture);
+    add_curve(context, from, to, 16, color, width, depth_offset, strokes, [&](double s) { return 4.0 * s * (1.0 - s) * sag * direction; });
     return true;
   }
 
   // a wave runs along a muscle, with its phase in the middle
-  const Across axes = across(context, (to - from) / length);
   if (law.amplitude != 0.0) {
     const double height = wave_height * context.options.scale * pixel * std::min(1.0, 4.0 * std::abs(law.amplitude));
     const double phase = two_pi * law.frequency * system.muscles.at(time) + law.phase;
