@@ -42,6 +42,7 @@ class Scene:
     stiffness: Array
     damping: Array
     rest_length: Array
+    laws: list[str | None]
     springs: NDArray[np.int64]
     faces: NDArray[np.int64]
     @staticmethod

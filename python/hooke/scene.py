@@ -249,6 +249,15 @@ class Scene(Parameterized):
     rest_length = _Column("rest_length", "Rest length of each spring [m], (springs,)")
 
     @property
+    def laws(self) -> list[dict[str, Any] | None]:
+        """The law of each spring as in scene files, such as {"law": "cable"} or {"muscle": {"amplitude": 0.2}}; None: a plain spring."""
+        return [None if law is None else json.loads(law) for law in self._bound.laws]
+
+    @laws.setter
+    def laws(self, laws: Sequence[Mapping[str, Any] | None]) -> None:
+        self._bound.laws = [None if law is None else json.dumps(dict(law)) for law in laws]
+
+    @property
     def springs(self) -> NDArray[np.int64]:
         """The points of each spring, (springs, 2)."""
         return self._bound.springs

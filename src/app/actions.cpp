@@ -182,6 +182,11 @@ void App::show_messages() {
   ghost_runs_.set({}, status(), lab_);
 }
 
+void App::switch_muscles() {
+  const Parameter& muscles = *find_parameter("muscles");
+  lab_.submit(SetParameter{&muscles, status().snapshot->system->muscles.on ? 0.0 : 1.0});
+}
+
 // The surface is shown, and without strain colors, so that the texture is visible.
 void App::choose_texture(const std::string& typed) {
   ChosenTexture chosen = try_texture(typed, document_.file());

@@ -184,6 +184,7 @@ void App::take_switches(const ViewSettings& view) {
   panels_.view.springs = view.springs;
   panels_.view.points = view.points;
   panels_.view.strain_colors = view.strain_colors;
+  panels_.view.coils = view.coils;
   panels_.view.shadows = view.shadows;
   tool_context_.shows_surface = view.surface;
 }

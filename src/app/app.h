@@ -101,6 +101,7 @@ class App {
   void show_or_hide_plots();
   void show_messages();
   void choose_texture(const std::string& typed);
+  void switch_muscles();
   void show(const Scene& scene);
   void take_switches(const ViewSettings& view);
   void update_marks();

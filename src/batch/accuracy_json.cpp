@@ -72,6 +72,7 @@ void write_energy_balance(JsonWriter& json, const Accuracy& accuracy) {
            std::pair{"hand", ledger[Hand]},
            std::pair{"edits", ledger[Edits]},
            std::pair{"forces", ledger.forces()},
+           std::pair{"muscles", ledger[Muscles]},
            std::pair{"colliders", ledger[Colliders]},
            std::pair{"limits", ledger.limits()},
            std::pair{"drag", ledger[Drag]},

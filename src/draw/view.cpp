@@ -223,6 +223,7 @@ ViewOptions options_for(const ViewSettings& settings, const ClothTexture& cloth_
   options.springs = settings.springs;
   options.surface = settings.surface;
   options.strain_colors = settings.strain_colors;
+  options.coils = settings.coils;
   options.shadows = settings.shadows;
   options.cloth_texture = cloth_texture;
   if (settings.background) options.background = *settings.background;

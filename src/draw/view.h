@@ -20,6 +20,7 @@ struct Viewport {
 
 struct ViewOptions {
   bool points = true, springs = true, surface = true, colliders = true, grid = true;
+  bool coils = false;          // springs are drawn as coils
   bool shadows = true;         // of objects near the ground, a ball or a box
   bool strain_colors = true;   // on springs, or on the surface if springs are hidden
   ClothTexture cloth_texture;  // on the surface

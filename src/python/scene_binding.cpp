@@ -10,7 +10,9 @@
 #include "edit/append_parts.h"
 #include "edit/apply.h"
 #include "formats/open_file.h"
+#include "formats/scene_json/spring_law_fields.h"
 #include "scene/parameters.h"
+#include "scene/spring_laws.h"
 #include "sim/methods/integrator.h"
 #include "sim/model/hash.h"
 
@@ -193,6 +195,42 @@ std::vector<std::string> save(const NamedScene& scene, const std::string& file) 
   return write_scene_as(scene.scene(), file);
 }
 
+// The members of each law as in scene files; none: it has no law.
+using LawTexts = std::vector<std::optional<std::string>>;
+
+LawTexts laws_of(const NamedScene& scene) {
+  LawTexts texts;
+  for (const Spring& spring : springs_of(scene)) {
+    JsonWriter out;
+    out.begin_object(JsonWriter::Layout::Line);
+    if (spring.law) write_law(*spring.law, out);
+    out.end();
+    texts.push_back(spring.law ? std::optional(out.take()) : std::nullopt);
+  }
+  return texts;
+}
+
+void set_laws(NamedScene& scene, const LawTexts& texts) {
+  const SpringList& springs = springs_of(scene);
+  if (texts.size() != springs.size())
+    throw InputError("laws: " + std::to_string(texts.size()) + " values: must be " + std::to_string(springs.size()));
+  SetSpringLaw set;
+  for (std::size_t s = 0; s < texts.size(); ++s) {
+    Spring spring = springs[s];
+    spring.law.reset();
+    if (texts[s]) {
+      JsonParser parser;
+      const JsonField law(scene.name, "laws", parser.parse(*texts[s]), s);
+      for (const JsonField member : law.members())
+        if (!read_law_field(member, spring)) member.refuse("must be a field of a law");
+    }
+    if (const LawError error = error_of(spring); !error.limit.empty())
+      throw InputError(at("laws", s) + "." + std::string(error.field) + ": " + error.limit);
+    set.values.emplace_back(spring.id, spring.law);
+  }
+  change(scene, set);
+}
+
 NamedScene with_options(const NamedScene& scene, const std::optional<std::string>& integrator, std::optional<std::int64_t> substeps,
                         std::optional<double> frame_rate, std::optional<double> tolerance) {
   NamedScene copy = scene;
@@ -314,6 +352,7 @@ void bind_scene(py::module_& module) {
       .def_property("stiffness", spring_column(&Spring::stiffness), spring_setter(S::Stiffness, "stiffness"))
       .def_property("damping", spring_column(&Spring::damping), spring_setter(S::Damping, "damping"))
       .def_property("rest_length", spring_column(&Spring::rest_length), spring_setter(S::RestLength, "rest_length"))
+      .def_property("laws", &laws_of, &set_laws)
       .def_property_readonly("springs", &ends_of)
       .def_property_readonly("faces", &faces_of);
 }

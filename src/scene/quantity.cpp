@@ -134,6 +134,8 @@ constexpr std::array rows{
     QuantityRow{"energy_hand", "J", Of::Scene, "Energy supplied by the hand", balance_of<work_of<EnergyCause::Hand>>, true},
     QuantityRow{"energy_edits", "J", Of::Scene, "Energy supplied by edits", balance_of<work_of<EnergyCause::Edits>>, true},
     QuantityRow{"energy_forces", "J", Of::Scene, "Energy supplied by listed forces", balance_of<work_of_forces>, true},
+    QuantityRow{"energy_muscles", "J", Of::Scene, "Energy supplied by muscles and winches", balance_of<work_of<EnergyCause::Muscles>>,
+                true},
     QuantityRow{"energy_colliders", "J", Of::Scene, "Energy supplied by moving colliders", balance_of<work_of<EnergyCause::Colliders>>,
                 true},
     QuantityRow{"energy_limits", "J", Of::Scene, "Energy supplied by breaking springs and the strain limit", balance_of<work_of_limits>,

@@ -27,6 +27,7 @@ struct ViewSettings {
   std::optional<Color> background;   // none: the default of the program
   // visible parts of the network; strain colors are shown on the springs, or on the surface if springs are hidden
   bool surface = true, springs = true, points = true, strain_colors = true;
+  bool coils = false;                  // springs are drawn as coils
   bool shadows = true;                 // near the ground, a sphere or a box
   std::string texture;                 // on the faces: a shipped texture, or a PNG in the folder of the scene; empty: none
   std::optional<double> texture_size;  // [m], width of the image on the cloth, > 0; none: the default of the texture

@@ -198,6 +198,9 @@ Forecast make_forecast(const std::shared_ptr<const System>& system, const State&
   if (system->spring_count() == 0 || system->spring_count() > max_springs) return forecast;
   const bool has_external_forces = std::ranges::any_of(system->forces, &Force::on);
   Statics statics = make_statics(*system);
+  // muscles and winches stay where they are now
+  MuscleClock& muscles = statics.plan.spring.laws.clock;
+  muscles = {.on = false, .offset = muscles.at(state.time)};
   if (!(statics.plan.spectrum.omega > 0.0)) return forecast;
 
   Field x = initial_guess(statics.plan, *system, state, before);

@@ -266,6 +266,8 @@ void build_inspector(const PanelInput& input, Panels& panels, Requests& requests
 // The selected collider; and the rows of one, with what a row changed.
 void build_collider(const PanelInput& input, Panels& panels, Requests& requests);
 std::optional<Collider> collider_rows(const Collider& collider, int dimensions, Panels& panels);
+// The law of these springs.
+void build_spring_law(const PanelInput& input, const std::vector<Index>& springs, Panels& panels, Requests& requests);
 // What stretches the selected springs.
 void build_stretch(const PanelInput& input, Requests& requests);
 void build_parameters(const PanelInput& input, Panels& panels, Requests& requests);

@@ -50,6 +50,7 @@ std::vector<Command> one_of_each() {
       SetPointColor{{{PointId{1}, Color{9, 8, 7}}, {PointId{2}, std::nullopt}}},
       SetPointProperty{PointProperty::Radius, {{PointId{1}, 0.1}}},
       SetSpringProperty{SpringProperty::BreakStrain, {{SpringId{1}, never_breaks}}},
+      SetSpringLaw{{{SpringId{1}, SpringLaw{.force = SpringForce::Cubic, .k3 = -5.0, .rate = 0.1}}, {SpringId{2}, std::nullopt}}},
       SetParameter{find_parameter("drag"), 0.25},
       RestoreParameter{find_parameter("drag"), 1e9},
       SetIntegrator{find_integrator("xpbd")},
@@ -78,8 +79,7 @@ TEST(CommandText, EveryCommandIsReadBackAsWritten) {
     kinds.insert(command.index());
     const std::string text = text_of(command);
     JsonParser parser;
-    const rapidjson::Value& value = parser.parse(text);
-    const JsonField whole(name, "command", value);
+    const JsonField whole(name, "command", parser.parse(text));
     EXPECT_EQ(text_of(read_command(whole.members()[0])), text);
   }
   // all except Replace, which contains a scene and is written on several lines

@@ -136,4 +136,24 @@ Inverse SetSpringProperty::apply(Scene& scene, Effect& effect) const {
   return {inverse};
 }
 
+std::string SetSpringLaw::describe() const { return "law of " + pluralize(values.size(), "spring", "springs"); }
+
+bool SetSpringLaw::is_undone_with(const SetSpringLaw& earlier) const { return same_ids(values, earlier.values); }
+
+Inverse SetSpringLaw::apply(Scene& scene, Effect& effect) const {
+  SetSpringLaw inverse;
+  for (const auto& [spring, law] : values) {
+    const Index s = scene.system.index_of(spring);
+    if (s == no_index) continue;
+    Spring changed = scene.system.springs()[s];
+    changed.law = law;
+    if (!is_valid(changed)) continue;
+    inverse.values.emplace_back(spring, scene.system.springs()[s].law);
+    *scene.system.spring(s) = changed;
+  }
+  std::reverse(inverse.values.begin(), inverse.values.end());
+  effect.values = true;
+  return {inverse};
+}
+
 }  // namespace hooke

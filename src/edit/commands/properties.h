@@ -77,4 +77,15 @@ struct SetSpringProperty {
   bool is_undone_with(const SetSpringProperty& earlier) const;
 };
 
+// Sets the laws of springs.
+struct SetSpringLaw {
+  static constexpr std::string_view name = "set_spring_law";
+  static constexpr auto fields = names("values");
+  std::vector<std::pair<SpringId, std::optional<SpringLaw>>> values;
+
+  std::string describe() const;
+  Inverse apply(Scene& scene, Effect& effect) const;
+  bool is_undone_with(const SetSpringLaw& earlier) const;
+};
+
 }  // namespace hooke

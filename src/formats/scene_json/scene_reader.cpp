@@ -60,6 +60,7 @@ class SceneReader {
   Scene scene_;
   NetworkReader network_{name_, fields_, scene_.preserved_json};
   bool has_version_ = false;
+  double muscle_offset_ = 0.0;  // [s]
 };
 
 const std::array<SceneReader::List, 7> SceneReader::lists{
@@ -89,6 +90,7 @@ LoadedScene SceneReader::read() {
   Network network = network_.take(scene_.system.dimensions);
   check_hand(network.points.size());
 
+  scene_.system.muscles.offset = muscle_offset_;
   scene_.system.set_points(std::move(network.points));
   scene_.system.set_springs(std::move(network.springs));
   scene_.system.faces = std::move(network.faces);
@@ -136,6 +138,8 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
     scene_.system.dimensions = static_cast<int>(field.integer(2, 3));
   else if (field.is("time"))
     scene_.state.time = field.number();
+  else if (field.is("muscle_offset"))
+    muscle_offset_ = field.number();
   else if (field.is("gravity"))
     scene_.system.gravity = fields_.position(field);
   else if (field.is("wind"))

@@ -43,6 +43,7 @@ bool* view_flag_of(const JsonField& field, ViewSettings& view) {
   if (field.is("points")) return &view.points;
   if (field.is("strain_colors")) return &view.strain_colors;
   if (field.is("shadows")) return &view.shadows;
+  if (field.is("coils")) return &view.coils;
   return nullptr;
 }
 

@@ -11,6 +11,7 @@
 #include "base/same_bits.h"
 #include "formats/scene_file.h"
 #include "formats/scene_json/listed_part.h"
+#include "formats/scene_json/spring_law_fields.h"
 #include "scene/parameters.h"
 #include "scene/spring_family.h"
 #include "sim/methods/integrator.h"
@@ -81,6 +82,7 @@ std::string SceneWriter::write() {
   out_.vector("gravity", system_.gravity);
   if (!is_positive_zero(system_.wind)) out_.vector("wind", system_.wind);
   write_parameters("");
+  if (!is_positive_zero(system_.muscles.offset)) out_.number("muscle_offset", system_.muscles.offset);
 
   write_list("points", static_cast<std::size_t>(listed.points), [&](std::size_t i) { write_point(static_cast<Index>(i)); });
   write_list("springs", static_cast<std::size_t>(listed.springs), [&](std::size_t s) { write_spring(static_cast<Index>(s)); });
@@ -186,7 +188,7 @@ void SceneWriter::write_point(Index i) {
 }
 
 void SceneWriter::write_spring(Index s) {
-  const Spring& spring = system_.springs()[s];
+  const Spring spring = system_.springs()[s];
   out_.begin_object(Layout::Line);
   out_.key("points");
   out_.begin_list(Layout::Line);
@@ -198,6 +200,7 @@ void SceneWriter::write_spring(Index s) {
   if (!is_positive_zero(spring.damping)) out_.number("damping", spring.damping);
   out_.number("rest_length", spring.rest_length);
   if (spring.break_strain != never_breaks) out_.number("break_strain", spring.break_strain);
+  if (spring.law) write_law(*spring.law, out_);
   if (const double sheet_weight = sheet_weight_of(scene_.sheet.get(), spring.id); sheet_weight > 0.0) out_.number("share", sheet_weight);
   const auto unknown = scene_.preserved_json.unknown_of_springs.find(spring.id);
   if (unknown != scene_.preserved_json.unknown_of_springs.end()) out_.members(unknown->second);
@@ -344,6 +347,7 @@ void SceneWriter::write_view() {
                                       {"strain_colors", view.strain_colors},
                                       {"shadows", view.shadows}})
     if (!is_shown) out_.boolean(key, false);
+  if (view.coils) out_.boolean("coils", true);
   if (!view.texture.empty()) out_.text("texture", view.texture);
   if (view.texture_size) out_.number("texture_size", *view.texture_size);
   write_unknown_inside("view");

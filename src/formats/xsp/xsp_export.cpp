@@ -14,6 +14,7 @@
 #include "formats/xsp/xsp_file.h"
 #include "formats/xsp/xsp_text.h"
 #include "scene/new_point.h"
+#include "scene/spring_laws.h"
 #include "sim/forces/terms/rows.h"
 
 namespace hooke {
@@ -238,13 +239,16 @@ class Exporter {
 
   void export_springs() {
     int id = 0;
-    for (const Spring& spring : system_.springs())
+    for (const Spring& spring : system_.springs()) {
+      if (spring.law)
+        throw InputError(file_ + ": springs[" + std::to_string(id) + "]: .xsp cannot represent its law (" + describe_law(spring) + ")");
       document_.springs.push_back({.id = ++id,
                                    .first = system_.index_of(spring.first) + 1,
                                    .second = system_.index_of(spring.second) + 1,
                                    .stiffness = spring.stiffness,
                                    .damping = system_.damping_of(spring),
                                    .rest_length = pixels(spring.rest_length)});
+    }
   }
 
   void export_editor_settings() {

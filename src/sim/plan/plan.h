@@ -109,6 +109,21 @@ struct PointNumbers {
   std::vector<Index> number;  // of the System's point, in the Plan
 };
 
+// A spring with a law, or whose rest length moves. Among the packed springs, it has no stiffness and no damping.
+struct LawSpring {
+  Index first = 0, second = 0;
+  SpringLaw law;
+  double stiffness = 0.0, damping = 0.0, rest_length = 0.0;  // k, d and l0; k and d 0: it is broken or switched off
+  bool acts() const { return stiffness > 0.0 || damping > 0.0; }
+};
+struct LawSprings {
+  std::vector<LawSpring> springs;  // in the order of the packed springs
+  std::vector<Index> of_packed;    // of a packed spring; no_index: it has no law; empty: none has
+  MuscleClock clock;
+  bool move = false;  // whether any rest length moves
+  bool empty() const { return springs.empty(); }
+};
+
 // The springs in the order of the runs.
 struct PlannedSprings {
   std::vector<SpringRun> runs;
@@ -120,6 +135,7 @@ struct PlannedSprings {
   std::vector<SpringRun> loose_runs;
   std::vector<double> break_length;  // [m], at which the spring breaks; empty: none breaks
   std::vector<double> max_length;    // [m], of the strain limit; empty: no limit
+  LawSprings laws;
 };
 
 // How the solid colliders move.

@@ -54,7 +54,7 @@ class NetworkRefinement {
 
   std::optional<FinerNetwork> run(Index max_points) {
     find_grids_of_springs();
-    if (fine_.empty()) return std::nullopt;
+    if (fine_.empty() || system_.springs().have_laws()) return std::nullopt;
     place_points();
     if (points_.size() > static_cast<std::size_t>(max_points)) return std::nullopt;
     for (const Fine& fine : fine_) {

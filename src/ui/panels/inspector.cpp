@@ -124,11 +124,12 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
 
 // The current length of a single spring.
 void length_line(const Inspected& inspected) {
-  const Spring& spring = inspected.spring(inspected.parts.springs[0]);
+  const Spring spring = inspected.spring(inspected.parts.springs[0]);
   const double length = glm::distance(inspected.snapshot.position(spring.first), inspected.snapshot.position(spring.second));
   begin_row("Current length");
   std::string text = quantity_text(length, "m");
-  if (spring.rest_length > 0.0) text += ", strain " + number_text(100.0 * (length / spring.rest_length - 1.0)) + " %";
+  const double rest_length = inspected.snapshot.system->rest_length_of(spring, inspected.snapshot.state.time);
+  if (rest_length > 0.0) text += ", strain " + number_text(100.0 * (length / rest_length - 1.0)) + " %";
   ImGui::TextUnformatted(text.c_str());
 }
 
@@ -186,6 +187,7 @@ void build_inspector(const PanelInput& input, Panels& panels, Requests& requests
   if (!section("Selection", what)) return;
   if (points > 0) point_rows(inspected, panels, requests);
   if (springs > 0) spring_rows(inspected, panels, requests);
+  if (springs > 0) build_spring_law(input, inspected.parts.springs, panels, requests);
   if (springs > 0) build_stretch(input, requests);
 }
 

@@ -152,6 +152,7 @@ void view_menu(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::MenuItem("Springs", nullptr, &panels.view.springs);
   ImGui::MenuItem("Surface", nullptr, &panels.view.surface);
   ImGui::MenuItem("Strain colors", nullptr, &panels.view.strain_colors);
+  ImGui::MenuItem("Springs as coils", nullptr, &panels.view.coils);
   ImGui::MenuItem("Shadows", nullptr, &panels.view.shadows);
   ImGui::Separator();
   ImGui::MenuItem("Colliders", nullptr, &panels.view.colliders);

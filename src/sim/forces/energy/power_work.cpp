@@ -7,6 +7,7 @@
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
+#include "sim/forces/spring_laws.h"
 #include "sim/model/portable_math.h"
 
 namespace hooke {
@@ -41,6 +42,7 @@ double power_of_forces(const Plan& plan, double time, const Field& x, const Fiel
 double rate_of(const Plan& plan, EnergyCause cause) {
   if (cause == EnergyCause::Drag) return plan.drag;
   if (cause == EnergyCause::Dashpots) return plan.spectrum.dashpot_rate;
+  if (cause == EnergyCause::Muscles) return 0.0;
   return plan.spectrum.force_rate + plan.spectrum.estimated_rate;
 }
 
@@ -70,26 +72,27 @@ Separation separation(const Plan& plan, const Place& place, Index first, Index s
 }
 
 // [J], of the impulses -d (l1 - l0) that dashpots exert in a step between these places: at the mean of the speeds before and after it.
-double dashpot_work(const Plan& plan, const Place& start, const Place& end) {
+double dashpot_work(const Plan& plan, double time, const Place& start, const Place& end) {
   double work = 0.0;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const auto [l0, w0] = separation(plan, start, run.first + e, run.second + e);
       const auto [l1, w1] = separation(plan, end, run.first + e, run.second + e);
-      work -= 0.5 * plan.spring.damping[run.begin + e] * (l1 - l0) * (w0 + w1);
+      work -= 0.5 * response_of(plan, run.begin + e, time, l1).damping * (l1 - l0) * (w0 + w1);
     }
   return work;
 }
 
 // [J], of the same impulses, along the way on which contact then leads the points to `end`.
-double dashpot_work_after(const Plan& plan, double h, const Field& start, const Field& free, const Field& end) {
+double dashpot_work_after(const Plan& plan, double time, double h, const Field& start, const Field& free, const Field& end) {
   const auto length = [&](const Field& x, Index first, Index second) { return separation(plan, {x, x}, first, second).length; };
   double work = 0.0;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const Index first = run.first + e, second = run.second + e;
       const double l1 = length(free, first, second);
-      work -= plan.spring.damping[run.begin + e] * (l1 - length(start, first, second)) * (length(end, first, second) - l1) / h;
+      work -=
+          response_of(plan, run.begin + e, time, l1).damping * (l1 - length(start, first, second)) * (length(end, first, second) - l1) / h;
     }
   return work;
 }
@@ -101,7 +104,7 @@ double logarithmic_mean(double a, double b) {
   return std::abs(x) < 1e-4 ? a * (1.0 + 0.5 * x) : a * x / portable::log(b / a);
 }
 
-constexpr std::array by_power{EnergyCause::Forces, EnergyCause::Drag, EnergyCause::Dashpots};
+constexpr std::array by_power{EnergyCause::Forces, EnergyCause::Muscles, EnergyCause::Drag, EnergyCause::Dashpots};
 
 }  // namespace
 
@@ -112,6 +115,7 @@ void PowerWork::begin_frame(const Plan& plan, const Motion& motion, double veloc
   part_after_contact_ = 1.0 - std::max(0.0, velocity_lag);
   has_forces_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
   has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
+  has_muscles_ = plan.spring.laws.move;
   has_air_ = air_acceleration(plan) != Vec3(0.0);
   measures_drag_ = measures_damping && plan.drag > 0.0;
   measures_dashpots_ = measures_damping && plan.has_dashpots();
@@ -122,22 +126,23 @@ void PowerWork::begin_frame(const Plan& plan, const Motion& motion, double veloc
   if (measures_dashpots_) free_x_.resize(motion.x.size());
 }
 
-EnergyLedger PowerWork::damping_power(const Plan& plan, const Field& x, const Field& v) const {
+EnergyLedger PowerWork::power_of_springs(const Plan& plan, double time, const Field& x, const Field& v) const {
   EnergyLedger power;
   if (measures_drag_) power.add(EnergyCause::Drag, -2.0 * plan.drag * kinetic_energy(plan, v));
-  if (measures_dashpots_ && !sweeps_->has_swept()) power.add(EnergyCause::Dashpots, -dashpot_power(plan, x, v));
+  if (measures_dashpots_ && !sweeps_->has_swept()) power.add(EnergyCause::Dashpots, -dashpot_power(plan, time, x, v));
+  if (has_muscles_) power.add(EnergyCause::Muscles, muscle_power(plan, time, x));
   return power;
 }
 
 EnergyLedger PowerWork::power(const Plan& plan, double time, const Field& x, const Field& v) const {
-  EnergyLedger power = damping_power(plan, x, v);
+  EnergyLedger power = power_of_springs(plan, time, x, v);
   power.add(EnergyCause::Forces, power_of_forces(plan, time, x, v));
   return power;
 }
 
 // Some methods know the power of the listed forces there.
 EnergyLedger PowerWork::power_at_end(const Plan& plan, const Motion& motion) const {
-  EnergyLedger power = damping_power(plan, motion.x, motion.v);
+  EnergyLedger power = power_of_springs(plan, motion.time, motion.x, motion.v);
   power.add(EnergyCause::Forces, motion.power ? *motion.power : power_of_forces(plan, motion.time, motion.x, motion.v));
   return power;
 }
@@ -165,14 +170,15 @@ EnergyLedger PowerWork::displacement_work(const Plan& plan, double h, const Fiel
 
 void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
   if (!has_power()) return;
-  const bool needs_path = measures_drag_ || measures_dashpots_;
+  const bool needs_path = has_muscles_ || measures_drag_ || measures_dashpots_;
   if (motion.power && !needs_path) return end_steps(plan, motion, h);
   const EnergyLedger start = power_;
   power_ = power_at_end(plan, motion);
   is_power_current_ = true;
   if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
-  impulse_work_ =
-      measures_dashpots_ && !sweeps_->has_swept() && plan.has_contact() ? dashpot_work(plan, {x_, v_}, {motion.x, motion.v}) : 0.0;
+  impulse_work_ = measures_dashpots_ && !sweeps_->has_swept() && plan.has_contact()
+                      ? dashpot_work(plan, motion.time, {x_, v_}, {motion.x, motion.v})
+                      : 0.0;
 
   const auto is_resolved = [&](EnergyCause cause) { return rate_of(plan, cause) * h <= max_resolved_rate; };
   EnergyLedger middle;
@@ -195,7 +201,9 @@ void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
 // missing. Over the frame, because the energy of a method oscillates from substep to substep.
 void PowerWork::limit_to_missing(const Plan& plan, const Motion& motion, const EnergyLedger& unresolved) {
   double taken = 0.0, supplied = has_air_ ? air_work(plan, x_, motion.x) : 0.0;
-  for (const EnergyCause cause : by_power) (unresolved[cause] < 0.0 ? taken : supplied) += work_[cause];
+  // what muscles do is not part of the change below, at one time
+  for (const EnergyCause cause : by_power)
+    if (cause != EnergyCause::Muscles) (unresolved[cause] < 0.0 ? taken : supplied) += work_[cause];
   if (taken == 0.0) return;
   const double middle = 0.5 * (time_ + motion.time);
   const double change = kinetic_energy(plan, motion.v) - kinetic_energy(plan, v_) + potential_energy(plan, middle, motion.x) -
@@ -203,7 +211,7 @@ void PowerWork::limit_to_missing(const Plan& plan, const Motion& motion, const E
   const double possible = std::max(taken + carried_, std::min(0.0, change - supplied));
   carried_ += taken - possible;
   for (const EnergyCause cause : by_power)
-    if (unresolved[cause] < 0.0) work_[cause] *= possible / taken;
+    if (unresolved[cause] < 0.0 && cause != EnergyCause::Muscles) work_[cause] *= possible / taken;
 }
 
 void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
@@ -212,7 +220,7 @@ void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
   power_ = power_at_end(plan, motion);
   is_power_current_ = true;
   for (const EnergyCause cause : by_power) {
-    const bool is_resolved = cause == EnergyCause::Forces || rate_of(plan, cause) * h <= max_resolved_rate;
+    const bool is_resolved = cause == EnergyCause::Forces || cause == EnergyCause::Muscles || rate_of(plan, cause) * h <= max_resolved_rate;
     const double mean = is_resolved ? 0.5 * (start[cause] + power_[cause]) : logarithmic_mean(start[cause], power_[cause]);
     work_[cause] = h * mean;
   }
@@ -259,7 +267,7 @@ void PowerWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_
     if (sweeps_->has_swept())
       work_[EnergyCause::Dashpots] = work_of_sweeps(plan, h, acts_after ? motion.x : free_x_);
     else if (acts_after)
-      work_[EnergyCause::Dashpots] = impulse_work_ + part_after_contact_ * dashpot_work_after(plan, h, x_, free_x_, motion.x);
+      work_[EnergyCause::Dashpots] = impulse_work_ + part_after_contact_ * dashpot_work_after(plan, motion.time, h, x_, free_x_, motion.x);
   }
   if (has_air_) motion.energy.add(EnergyCause::Potentials, air_work(plan, x_, motion.x));
   if (has_potential_) add_potential_work(plan, motion, h);

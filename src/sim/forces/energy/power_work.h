@@ -34,13 +34,13 @@ class PowerWork {
 
  private:
   EnergyLedger power(const Plan& plan, double time, const Field& x, const Field& v) const;
-  EnergyLedger damping_power(const Plan& plan, const Field& x, const Field& v) const;
+  EnergyLedger power_of_springs(const Plan& plan, double time, const Field& x, const Field& v) const;
   EnergyLedger power_at_end(const Plan& plan, const Motion& motion) const;
   EnergyLedger displacement_work(const Plan& plan, double h, const Field& end);
   void add_potential_work(const Plan& plan, Motion& motion, double h);
   void limit_to_missing(const Plan& plan, const Motion& motion, const EnergyLedger& unresolved);
   double work_of_sweeps(const Plan& plan, double h, const Field& end) const;
-  bool has_power() const { return has_forces_ || measures_drag_ || measures_dashpots_; }
+  bool has_power() const { return has_forces_ || has_muscles_ || measures_drag_ || measures_dashpots_; }
 
   Field x_, v_;   // at the start of the substep
   Field free_x_;  // after the method's step, where dashpots were swept
@@ -53,7 +53,7 @@ class PowerWork {
   double carried_ = 0.0;             // [J], that damping forces of the frame have taken beyond what was missing
   double impulse_work_ = 0.0;        // [J], of the dashpots in the step, as contact sees them
   double part_after_contact_ = 1.0;  // of the impulses of dashpots
-  bool has_forces_ = false, has_potential_ = false, has_air_ = false;
+  bool has_forces_ = false, has_muscles_ = false, has_potential_ = false, has_air_ = false;
   bool measures_drag_ = false, measures_dashpots_ = false;
 };
 
