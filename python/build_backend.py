@@ -15,7 +15,7 @@ root = pathlib.Path(__file__).resolve().parent.parent
 
 
 def _version() -> str:
-    return re.search(r"VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text()).group(1)
+    return re.search(r"project\(hooke VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text()).group(1)
 
 
 def _metadata() -> str:
@@ -31,6 +31,13 @@ def _install(prefix: pathlib.Path) -> None:
                     f"-DHOOKE_PYTHON={sys.executable}", *os.environ.get("CMAKE_ARGS", "").split()], check=True)
     subprocess.run(["cmake", "--build", build, "--target", "hooke_python", "--parallel", str(os.cpu_count())], check=True)
     subprocess.run(["cmake", "--install", build, "--prefix", prefix, "--component", "python_module"], check=True)
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    folder = pathlib.Path(metadata_directory) / f"hooke-{_version()}.dist-info"
+    folder.mkdir()
+    (folder / "METADATA").write_text(_metadata())
+    return folder.name
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

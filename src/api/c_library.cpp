@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "api/hooke.h"
@@ -7,10 +8,10 @@
 using namespace hooke::v1;
 
 struct hooke_scene {
-  Scene scene;
+  Scene of;
 };
 struct hooke_simulation {
-  Simulation simulation;
+  Simulation of;
   std::string diagnosis;
 };
 
@@ -29,135 +30,110 @@ Value answer(Value failed, Work work) {
   }
 }
 
-// 0, or -1.
-template <class Work>
-int done(Work work) {
-  return answer(-1, [&] { return work(), 0; });
+template <class Pointer>
+Pointer given(Pointer pointer) {
+  if (pointer == nullptr) throw Error(Error::Kind::Usage, "pointer: must not be null");
+  return pointer;
 }
 
-template <class Handle>
-Handle& given(Handle* handle) {
-  if (handle == nullptr) throw Error(Error::Kind::Usage, "handle: must not be null");
-  return *handle;
+// An argument of C as the interface for C++ takes it.
+template <class Value>
+Value converted(Value value) {
+  return value;
 }
-const char* given(const char* text) {
-  if (text == nullptr) throw Error(Error::Kind::Usage, "text: must not be null");
-  return text;
+std::string converted(const char* text) { return given(text); }
+Vector converted(const double* components) { return {given(components)[0], components[1], components[2]}; }
+
+// What a member function of the object of a handle returns.
+template <class Value, class Handle, class Member, class... Arguments>
+Value ask(Value failed, Handle* handle, Member member, Arguments... arguments) {
+  return answer(failed, [&] { return static_cast<Value>((given(handle)->of.*member)(converted(arguments)...)); });
 }
-const Scene& of(const hooke_scene* handle) { return given(handle).scene; }
-Scene& of(hooke_scene* handle) { return given(handle).scene; }
-const Simulation& of(const hooke_simulation* handle) { return given(handle).simulation; }
-Simulation& of(hooke_simulation* handle) { return given(handle).simulation; }
-Vector vector(const double* components) {
-  given(components);
-  return {components[0], components[1], components[2]};
+// 0, or -1.
+template <class Handle, class Member, class... Arguments>
+int call(Handle* handle, Member member, Arguments... arguments) {
+  return answer(-1, [&] { return (given(handle)->of.*member)(converted(arguments)...), 0; });
+}
+template <class Value, class Member>
+int fill(const hooke_simulation* simulation, Member member, Value* values) {
+  return answer(-1, [&] { return std::ranges::copy((given(simulation)->of.*member)(), given(values)), 0; });
+}
+template <class Make>
+hooke_scene* make_scene(Make make) {
+  return answer<hooke_scene*>(nullptr, [&] { return new hooke_scene{make()}; });
 }
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+using S = Scene;
+using R = Simulation;
+constexpr bool (R::*step_frame)() = &R::step;
+constexpr bool (R::*step_seconds)(double) = &R::step;
 
 }  // namespace
 
+// clang-format off: one function a line
 const char* hooke_version() { return version(); }
 const char* hooke_error() { return last_error.c_str(); }
 
-hooke_scene* hooke_scene_new() {
-  return answer<hooke_scene*>(nullptr, [] { return new hooke_scene{Scene()}; });
-}
-hooke_scene* hooke_scene_load(const char* name) {
-  return answer<hooke_scene*>(nullptr, [&] { return new hooke_scene{Scene::load(given(name))}; });
-}
-hooke_scene* hooke_scene_parse(const char* json) {
-  return answer<hooke_scene*>(nullptr, [&] { return new hooke_scene{Scene::parse(given(json))}; });
-}
+hooke_scene* hooke_scene_new() { return make_scene([] { return Scene(); }); }
+hooke_scene* hooke_scene_load(const char* name) { return make_scene([&] { return Scene::load(given(name)); }); }
+hooke_scene* hooke_scene_parse(const char* json) { return make_scene([&] { return Scene::parse(given(json)); }); }
 void hooke_scene_free(hooke_scene* scene) { delete scene; }
-int hooke_scene_add(hooke_scene* scene, const char* members) {
-  return done([&] { of(scene).add(given(members)); });
-}
+int hooke_scene_add(hooke_scene* scene, const char* members) { return call(scene, &S::add, members); }
 int64_t hooke_scene_add_point(hooke_scene* scene, const double position[3], double mass, int nailed) {
-  return answer<int64_t>(-1, [&] { return of(scene).add_point(vector(position), mass, nailed != 0); });
+  return ask<int64_t>(-1, scene, &S::add_point, position, mass, nailed != 0);
 }
 int64_t hooke_scene_add_spring(hooke_scene* scene, int64_t first, int64_t second, double stiffness, double damping) {
-  return answer<int64_t>(-1, [&] { return of(scene).add_spring(first, second, stiffness, damping); });
+  return ask<int64_t>(-1, scene, &S::add_spring, first, second, stiffness, damping);
 }
-int hooke_scene_set(hooke_scene* scene, const char* setting) {
-  return done([&] { of(scene).set(given(setting)); });
-}
-int hooke_scene_set_integrator(hooke_scene* scene, const char* id) {
-  return done([&] { of(scene).set_integrator(given(id)); });
-}
-int hooke_scene_save(hooke_scene* scene, const char* file) {
-  return done([&] { of(scene).save(given(file)); });
-}
+int hooke_scene_set(hooke_scene* scene, const char* setting) { return call(scene, &S::set, setting); }
+int hooke_scene_set_integrator(hooke_scene* scene, const char* id) { return call(scene, &S::set_integrator, id); }
+int hooke_scene_save(hooke_scene* scene, const char* file) { return call(scene, &S::save, file); }
 
 hooke_simulation* hooke_simulation_new(const hooke_scene* scene, int accuracy) {
   return answer<hooke_simulation*>(nullptr, [&] {
     if (accuracy < HOOKE_ACCURACY_OFF || accuracy > HOOKE_ACCURACY_FULL) throw Error(Error::Kind::Usage, "accuracy: must be from 0 to 2");
-    return new hooke_simulation{Simulation(of(scene), static_cast<Simulation::Accuracy>(accuracy)), {}};
+    return new hooke_simulation{Simulation(given(scene)->of, static_cast<Simulation::Accuracy>(accuracy)), {}};
   });
 }
 void hooke_simulation_free(hooke_simulation* simulation) { delete simulation; }
-int hooke_simulation_frame(hooke_simulation* simulation) {
-  return answer(-1, [&] { return of(simulation).step() ? 1 : 0; });
-}
-int hooke_simulation_step(hooke_simulation* simulation, double seconds) {
-  return answer(-1, [&] { return of(simulation).step(seconds) ? 1 : 0; });
-}
-int hooke_simulation_set_threads(hooke_simulation* simulation, int threads) {
-  return done([&] { of(simulation).set_threads(threads); });
-}
+int hooke_simulation_frame(hooke_simulation* simulation) { return ask(-1, simulation, step_frame); }
+int hooke_simulation_step(hooke_simulation* simulation, double seconds) { return ask(-1, simulation, step_seconds, seconds); }
+int hooke_simulation_set_threads(hooke_simulation* simulation, int threads) { return call(simulation, &R::set_threads, threads); }
 const char* hooke_simulation_diagnosis(hooke_simulation* simulation) {
-  return answer<const char*>(nullptr, [&] { return (given(simulation).diagnosis = of(simulation).diagnosis()).c_str(); });
+  return answer<const char*>(nullptr, [&] { return (given(simulation)->diagnosis = simulation->of.diagnosis()).c_str(); });
 }
 
-double hooke_simulation_time(const hooke_simulation* simulation) {
-  return answer(unknown, [&] { return of(simulation).time(); });
-}
-uint64_t hooke_simulation_hash(const hooke_simulation* simulation) {
-  return answer<uint64_t>(0, [&] { return of(simulation).hash(); });
-}
-double hooke_simulation_error(const hooke_simulation* simulation) {
-  return answer(unknown, [&] { return of(simulation).error(); });
-}
+double hooke_simulation_time(const hooke_simulation* simulation) { return ask(unknown, simulation, &R::time); }
+uint64_t hooke_simulation_hash(const hooke_simulation* simulation) { return ask<uint64_t>(0, simulation, &R::hash); }
+double hooke_simulation_error(const hooke_simulation* simulation) { return ask(unknown, simulation, &R::error); }
 int hooke_simulation_energy(const hooke_simulation* simulation, double energy[3]) {
-  return done([&] {
-    const Energy now = of(simulation).energy();
-    given(energy), energy[0] = now.kinetic, energy[1] = now.elastic, energy[2] = now.gravitational;
+  return answer(-1, [&] {
+    const Energy now = given(simulation)->of.energy();
+    return std::ranges::copy(std::initializer_list<double>{now.kinetic, now.elastic, now.gravitational}, given(energy)), 0;
   });
 }
-int64_t hooke_simulation_point_count(const hooke_simulation* simulation) {
-  return answer<int64_t>(-1, [&] { return of(simulation).point_count(); });
-}
+int64_t hooke_simulation_point_count(const hooke_simulation* simulation) { return ask<int64_t>(-1, simulation, &R::point_count); }
 int64_t hooke_simulation_spring_count(const hooke_simulation* simulation) {
-  return answer<int64_t>(-1, [&] { return static_cast<int64_t>(of(simulation).rest_lengths().size()); });
+  return answer<int64_t>(-1, [&] { return static_cast<int64_t>(given(simulation)->of.rest_lengths().size()); });
 }
 const double* hooke_simulation_positions(const hooke_simulation* simulation) {
-  return answer<const double*>(nullptr, [&] { return of(simulation).positions().data(); });
+  return answer<const double*>(nullptr, [&] { return given(simulation)->of.positions().data(); });
 }
 const double* hooke_simulation_velocities(const hooke_simulation* simulation) {
-  return answer<const double*>(nullptr, [&] { return of(simulation).velocities().data(); });
+  return answer<const double*>(nullptr, [&] { return given(simulation)->of.velocities().data(); });
 }
-int hooke_simulation_springs(const hooke_simulation* simulation, int64_t* points) {
-  return done([&] { std::ranges::copy(of(simulation).springs(), &given(points)); });
-}
-int hooke_simulation_tensions(const hooke_simulation* simulation, double* tensions) {
-  return done([&] { std::ranges::copy(of(simulation).tensions(), &given(tensions)); });
-}
-int hooke_simulation_reactions(const hooke_simulation* simulation, double* reactions) {
-  return done([&] { std::ranges::copy(of(simulation).reactions(), &given(reactions)); });
-}
+int hooke_simulation_springs(const hooke_simulation* simulation, int64_t* points) { return fill(simulation, &R::springs, points); }
+int hooke_simulation_tensions(const hooke_simulation* simulation, double* tensions) { return fill(simulation, &R::tensions, tensions); }
+int hooke_simulation_reactions(const hooke_simulation* simulation, double* reactions) { return fill(simulation, &R::reactions, reactions); }
 
 int hooke_simulation_grab(hooke_simulation* simulation, int64_t point, const double target[3]) {
-  return done([&] { of(simulation).grab(point, vector(target)); });
+  return call(simulation, &R::grab, point, target);
 }
-int hooke_simulation_move_hand(hooke_simulation* simulation, const double target[3]) {
-  return done([&] { of(simulation).move_hand(vector(target)); });
-}
-int hooke_simulation_release(hooke_simulation* simulation) {
-  return done([&] { of(simulation).release(); });
-}
+int hooke_simulation_move_hand(hooke_simulation* simulation, const double target[3]) { return call(simulation, &R::move_hand, target); }
+int hooke_simulation_release(hooke_simulation* simulation) { return call(simulation, &R::release); }
 int hooke_simulation_nail(hooke_simulation* simulation, int64_t point, int nailed) {
-  return done([&] { of(simulation).nail(point, nailed != 0); });
+  return call(simulation, &R::nail, point, nailed != 0);
 }
-int hooke_simulation_set(hooke_simulation* simulation, const char* setting) {
-  return done([&] { of(simulation).set(given(setting)); });
-}
+int hooke_simulation_set(hooke_simulation* simulation, const char* setting) { return call(simulation, &R::set, setting); }
+// clang-format on

@@ -128,7 +128,7 @@ TEST(Interface, AddsEveryMemberThatASceneFileHasAndRefusesOthers) {
   v1::Scene scene;
   scene.add_point({0, 1, 0}, 1.0);
   scene.add(R"("gravity": [0, -2, 0], "drag": 0.5, "simulation": {"substeps": 7}, "contact": {"points": true})");
-  scene.add(R"("forces": [{"type": "wind", "density": 1.2}])");
+  scene.add(R"("forces": [{"type": "wind", "x": 2}])");
   const Scene read = parse_scene(scene.json(), "scene").scene;
   EXPECT_EQ(read.system.gravity, Vec3(0.0, -2.0, 0.0));
   EXPECT_EQ(read.system.drag, 0.5);
@@ -220,7 +220,7 @@ TEST(InterfaceForC, AnswersMistakesWithALine) {
   EXPECT_EQ(hooke_scene_load("nowhere"), nullptr);
   EXPECT_EQ(std::string(hooke_error()).substr(0, 9), "nowhere: ");
   EXPECT_EQ(hooke_simulation_new(nullptr, 0), nullptr);
-  EXPECT_STREQ(hooke_error(), "handle: must not be null");
+  EXPECT_STREQ(hooke_error(), "pointer: must not be null");
   hooke_scene* scene = hooke_scene_new();
   EXPECT_EQ(hooke_scene_set(scene, "stiffness=-1"), -1);
   EXPECT_EQ(hooke_scene_add_spring(scene, 0, 1, 1.0, 0.0), -1);

@@ -128,10 +128,10 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
     return;
   }
 
-  const JsonField field(name_, key, parser_.parse(text));
   if (is_addition_)
     for (const char* other : {"name", "description", "dimensions", "time", "hand", "view", "defaults", "controls", "check", "gallery"})
-      if (field.is(other)) field.refuse("cannot be added to a scene");
+      if (key == other) refuse(other, "cannot be added to a scene");
+  const JsonField field(name_, key, parser_.parse(text));
   if (field.is("hooke")) {
     if (field.number() > newest_scene_version)
       field.refuse("must be at most " + std::to_string(newest_scene_version) + ": scenes of version " + format_exact(field.number()) +
