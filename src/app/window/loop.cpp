@@ -143,6 +143,9 @@ void run_loop(Window& window, App& app) {
       continue;
     }
 
+    // a picture that was asked for in the frame before: without the dialog that did
+    const auto wanted = app.captures().take_wanted_picture();
+
     // panels
     if (Gallery& gallery = app.panels().gallery; gallery.is_shown && gallery.thumbnails == nullptr)
       gallery.thumbnails = view.upload_picture(read_thumbnails());
@@ -151,7 +154,7 @@ void run_loop(Window& window, App& app) {
     const ImDrawData* panels = window.gui().end_frame();
     window.set_title(app.title());
 
-    if (const auto wanted = app.captures().take_wanted_picture()) take_picture(view, app, window, scale, panels, *wanted);
+    if (wanted) take_picture(view, app, window, scale, panels, *wanted);
 
     // picture
     const auto start = Clock::now();
