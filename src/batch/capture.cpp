@@ -57,8 +57,7 @@ class FrameCapture {
     if (shows_panels_) crossing_finder_.follow(status);
     follow_scene(camera_, status.snapshot->state);
     const Marks marks{.crossed = crossing_finder_.found()};
-    const ImDrawData* panels =
-        panels_ ? panels_->build(status, camera_, {}, has_stamp_ ? stamp_of(status) : "", marks.crossed.get()) : nullptr;
+    const ImDrawData* panels = panels_ ? panels_->build(status, camera_, {}, has_stamp_ ? stamp_of(status) : "", &marks) : nullptr;
     view_.draw(*status.snapshot, marks, camera_, view_options_, size_.width, size_.height, panels);
     writer_->add(view_.read(), number);
   }

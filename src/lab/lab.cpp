@@ -133,6 +133,7 @@ History::Of Lab::changed_by(const Command& command) const {
                         [](const MarkTorn&) { return Of::Run; },
                         [](const Replace&) { return Of::Run; },
                         [&](const Move&) { return of_places; },
+                        [&](const SetVelocity&) { return of_places; },
                         [&](const SetNailed& set) {
                           const auto changes = [&](const SetNailed::Item& item) {
                             if (item.nailed) return !start_.is_nailed(item.point);

@@ -13,6 +13,7 @@ namespace {
 DocumentStatus document_of(const Scene& scene, const Scene* opened) {
   DocumentStatus document{.name = scene.name,
                           .description = scene.description,
+                          .notes = scene.notes,
                           .view = scene.view,
                           .cloth_texture = scene.cloth_texture,
                           .defaults = scene.defaults,

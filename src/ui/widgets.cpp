@@ -1,5 +1,7 @@
 #include "ui/widgets.h"
 
+#include <imgui_internal.h>
+
 #include <cmath>
 #include <cstdio>
 
@@ -10,6 +12,16 @@ namespace hooke {
 Rect current_window() {
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   return {at.x, at.y, size.x, size.y};
+}
+
+bool has_focused_item() {
+  const ImGuiContext& gui = *ImGui::GetCurrentContext();
+  return gui.NavId != 0 && !gui.NavDisableHighlight && gui.ActiveId == 0;
+}
+
+void press_focused_item() {
+  ImGuiContext& gui = *ImGui::GetCurrentContext();
+  gui.NavActivateId = gui.NavActivateDownId = gui.NavActivatePressedId = gui.NavId;
 }
 
 bool begin_panel(const char* name, const Rect& place, ImGuiWindowFlags flags) {

@@ -52,7 +52,7 @@ TEST(Divergence, IsExplainedWithTheGrowthOfTheEnergyToTwoDigits) {
   EXPECT_EQ(message(6.04e5), "The simulation blew up: energy grew 600,000-fold, first at point 1. Stopped at t = 0.5 s.");
   EXPECT_EQ(message(123.0), "The simulation blew up: energy grew 120-fold, first at point 1. Stopped at t = 0.5 s.");
   EXPECT_EQ(message(1.26e7), "The simulation blew up: energy grew 13,000,000-fold, first at point 1. Stopped at t = 0.5 s.");
-  EXPECT_EQ(message(3e40), "The simulation blew up: energy grew 10^40-fold, first at point 1. Stopped at t = 0.5 s.");
+  EXPECT_EQ(message(3e40), "The simulation blew up: energy grew 1×10⁴⁰-fold, first at point 1. Stopped at t = 0.5 s.");
 }
 
 TEST(Divergence, OfUndampedExplicitEulerRecommendsAStableMethod) {

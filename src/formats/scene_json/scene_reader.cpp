@@ -144,6 +144,8 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
     scene_.name = field.text();
   else if (field.is("description"))
     scene_.description = field.text();
+  else if (field.is("notes"))
+    scene_.notes = field.text();
   else if (field.is("dimensions"))
     scene_.system.dimensions = static_cast<int>(field.integer(2, 3));
   else if (field.is("time"))

@@ -207,6 +207,8 @@ void read_view(const JsonField& field, SceneFields& fields, Scene& scene) {
     else if (member.is("texture")) {
       scene.view.texture = member.text();
       if (const std::string limit = texture_limit(scene.view.texture); !limit.empty()) member.refuse(limit);
+    } else if (member.is("plots")) {
+      for (const JsonField name : member.items(0, 100)) scene.view.plots.emplace_back(name.text());
     } else if (member.is("texture_size"))
       scene.view.texture_size = member.number(positive);
     else

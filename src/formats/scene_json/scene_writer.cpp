@@ -73,13 +73,14 @@ std::string SceneWriter::write() {
   out_.integer("hooke", newest_scene_version);
   out_.text("name", scene_.name);
   if (!scene_.description.empty()) out_.text("description", scene_.description);
+  if (!scene_.notes.empty()) out_.text("notes", scene_.notes);
   if (!scene_.preserved_json.gallery.empty()) {
     out_.key("gallery");
     out_.raw(scene_.preserved_json.gallery);
   }
   out_.integer("dimensions", system_.dimensions);
   if (!is_positive_zero(state_.time)) out_.number("time", state_.time);
-  out_.vector("gravity", system_.gravity);
+  out_.vector("gravity", system_.gravity + Vec3(0.0));  // no -0.0
   if (!is_positive_zero(system_.wind)) out_.vector("wind", system_.wind);
   write_parameters("");
   if (!is_positive_zero(system_.muscles.offset)) out_.number("muscle_offset", system_.muscles.offset);
@@ -350,6 +351,12 @@ void SceneWriter::write_view() {
   if (view.coils) out_.boolean("coils", true);
   if (!view.texture.empty()) out_.text("texture", view.texture);
   if (view.texture_size) out_.number("texture_size", *view.texture_size);
+  if (!view.plots.empty()) {
+    out_.key("plots");
+    out_.begin_list(Layout::Line);
+    for (const std::string& name : view.plots) out_.text(name);
+    out_.end();
+  }
   write_unknown_inside("view");
   out_.end();
 }

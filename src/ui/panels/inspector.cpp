@@ -12,8 +12,9 @@
 namespace hooke {
 namespace {
 
-// The range of typed values: far beyond the sliders, but still computable. [kg], [m], [N/m], [N s/m]
-constexpr double min_mass = 1e-9, max_mass = 1e9, max_length = 1e6, max_stiffness = 1e12, max_damping = 1e9, max_strain = 1e6;
+// The range of typed values: far beyond the sliders, but still computable. [kg], [m], [N/m], [N s/m], [1], [m/s]
+constexpr double min_mass = 1e-9, max_mass = 1e9, max_length = 1e6, max_stiffness = 1e12, max_damping = 1e9, max_strain = 1e6,
+                 max_speed = 1e6;
 
 void edit(Command command, Panels& panels, Requests& requests) { requests.emplace_back(Edit{std::move(command), panels.edit_in_progress}); }
 
@@ -54,6 +55,26 @@ void place_row(const char* label, int axis, const Inspected& inspected, Panels& 
       move.items.push_back({inspected.point(i).id, position, state.velocity[i]});
     }
     edit(std::move(move), panels, requests);
+  }
+}
+
+// Of the free points among the selected ones.
+void velocity_row(const char* label, int axis, const Inspected& inspected, Panels& panels, Requests& requests) {
+  const State& state = inspected.snapshot.state;
+  std::vector<Index> free;
+  std::ranges::copy_if(inspected.parts.points, std::back_inserter(free), [&](Index i) { return !inspected.point(i).nailed; });
+  if (free.empty()) return;
+  const auto now = common(free, [&](Index i) { return state.velocity[i][axis]; });
+  const TypedField field{
+      .label = label, .unit = "m/s", .description = "Alt+drag from a point in the scene sets it too.", .min = -max_speed, .max = max_speed};
+  if (const auto value = typed_row(field_of(field, now), panels)) {
+    SetVelocity set;
+    for (const Index i : free) {
+      Vec3 velocity = state.velocity[i];
+      velocity[axis] = *value;
+      set.values.emplace_back(inspected.point(i).id, velocity);
+    }
+    edit(std::move(set), panels, requests);
   }
 }
 
@@ -103,6 +124,12 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
   for (int axis = 0; axis < inspected.snapshot.system->dimensions; ++axis) {
     ImGui::PushID(axis);
     place_row(names[axis], axis, inspected, panels, requests);
+    ImGui::PopID();
+  }
+  const char* velocities[] = {"Velocity x", "Velocity y", "Velocity z"};
+  for (int axis = 0; axis < inspected.snapshot.system->dimensions; ++axis) {
+    ImGui::PushID(velocities[axis]);
+    velocity_row(velocities[axis], axis, inspected, panels, requests);
     ImGui::PopID();
   }
   ImGui::PushID("mass");
