@@ -163,6 +163,17 @@ py::dict energy_of(NamedLab& lab) {
   return entry;
 }
 
+// {"since" [s], "change", ..., "method" [J]}; None: not measured.
+py::object energy_balance_of(NamedLab& lab) {
+  const Use use(lab);
+  const Accuracy accuracy = lab.lab.accuracy();
+  if (!accuracy.is_on) return py::none();
+  py::dict entry;
+  entry["since"] = accuracy.energy.since;
+  for (const auto& [name, joules] : accuracy.energy.terms()) entry[name] = joules;
+  return entry;
+}
+
 // {"frame", "frame_max", "accumulated" [m], "amplification" [1], "predictable" [s]}; None: not known.
 py::dict error_of(NamedLab& lab) {
   measure_accuracy(lab);
@@ -241,6 +252,7 @@ void bind_lab(py::module_& module) {
            })
       .def("diagnosis", &diagnosis_of)
       .def("energy", &energy_of)
+      .def("energy_balance", &energy_balance_of)
       .def("error", &error_of)
       .def_property_readonly("time",
                              [](NamedLab& lab) {
