@@ -57,6 +57,12 @@ class Lab(Parameterized):
         return self._bound.energy()
 
     @property
+    def energy_balance(self) -> dict[str, float] | None:
+        """Where the energy [J] came from since the time `since` [s]: change, and what the hand, edits, forces, colliders, limits, drag,
+        dashpots and contact supplied, negative if they took it; method: what the numerical method gained or lost. None: not measured."""
+        return self._bound.energy_balance()
+
+    @property
     def error(self) -> dict[str, float | None]:
         """The measured accuracy: frame, frame_max and accumulated error [m], amplification [1], predictable [s]. None: not known."""
         return self._bound.error()

@@ -190,6 +190,17 @@ py::dict loads_of(NamedLab& lab) {
   return entry;
 }
 
+// {"since" [s], "change", ..., "method" [J]}; None: not measured.
+py::object energy_balance_of(NamedLab& lab) {
+  const Use use(lab);
+  const Accuracy accuracy = lab.lab.accuracy();
+  if (!accuracy.is_on) return py::none();
+  py::dict entry;
+  entry["since"] = accuracy.energy.since;
+  for (const auto& [name, joules] : accuracy.energy.terms()) entry[name] = joules;
+  return entry;
+}
+
 // {"frame", "frame_max", "accumulated" [m], "amplification" [1], "predictable" [s]}; None: not known.
 py::dict error_of(NamedLab& lab) {
   measure_accuracy(lab);
@@ -273,6 +284,7 @@ void bind_lab(py::module_& module) {
       .def("energy", &energy_of)
       .def("loads", &loads_of)
       .def_property_readonly("accuracy", [](const NamedLab& lab) { return lab.accuracy; })
+      .def("energy_balance", &energy_balance_of)
       .def("error", &error_of)
       .def_property_readonly("time",
                              [](NamedLab& lab) {

@@ -68,7 +68,7 @@ double max_penetration(const Measurement& m) {
     const Point& point = m.system.points()[i];
     if (point.nailed) continue;
     for (const Collider& collider : colliders)
-      if (collider.solid) max = std::max(max, -gap_to(collider, point.radius, m.state.position[i]).distance);
+      if (collider.solid && !collider.one_way) max = std::max(max, -gap_to(collider, point.radius, m.state.position[i]).distance);
   }
   return max;
 }

@@ -2,6 +2,7 @@
 
 #include <imgui_freetype.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "ui/font_files.h"
@@ -20,17 +21,19 @@ constexpr ImWchar glyphs[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x0400, 0x04ff, 0x
 // A box.
 constexpr ImWchar missing_glyph = 0x25a1;
 
+// In whole pixels: the hinting of other sizes is blurred.
 ImFont* load_font(const char* name, double size, double density) {
+  const float pixels = static_cast<float>(std::round(size * density));
   ImGuiIO& io = ImGui::GetIO();
   const std::filesystem::path file = std::filesystem::path(fonts_folder) / name;
   std::error_code error;
   if (std::filesystem::is_regular_file(file, error))
-    if (ImFont* font = io.Fonts->AddFontFromFileTTF(file.c_str(), static_cast<float>(size * density), nullptr, glyphs)) {
+    if (ImFont* font = io.Fonts->AddFontFromFileTTF(file.c_str(), pixels, nullptr, glyphs)) {
       font->FallbackChar = missing_glyph;
       return font;
     }
   ImFontConfig config;
-  config.SizePixels = static_cast<float>(size * density);
+  config.SizePixels = pixels;
   return io.Fonts->AddFontDefault(&config);
 }
 

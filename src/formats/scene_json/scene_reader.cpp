@@ -17,6 +17,7 @@
 #include "scene/warnings/bending_warning.h"
 #include "scene/warnings/overlap_warning.h"
 #include "scene/warnings/pressure_warning.h"
+#include "scene/warnings/small_collider_warning.h"
 #include "scene/warnings/strain_limit_warning.h"
 #include "sim/plan/hinges.h"
 
@@ -118,7 +119,7 @@ LoadedScene SceneReader::read() {
   if (const auto warning = unused_setting_warning(scene_.settings)) fields_.warn(*warning);
   for (const std::string& warning : crossing_warnings(scene_.system, scene_.state)) fields_.warn(warning);
   for (const auto& warning : {thickness_warning(scene_.system), bending_warning(scene_.system), pressure_warning(scene_.system),
-                              strain_limit_warning(scene_.system, scene_.state)})
+                              strain_limit_warning(scene_.system, scene_.state), small_collider_warning(scene_.system, scene_.state)})
     if (warning) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
 }

@@ -245,6 +245,7 @@ void SceneWriter::write_collider(std::size_t c) {
   out_.number("restitution", collider.restitution);
   out_.number("friction", collider.friction);
   if (!collider.solid) out_.boolean("solid", false);
+  if (collider.one_way) out_.boolean("one_way", true);
   write_path(collider.path);
   write_unknown_inside("colliders[" + std::to_string(c) + "]");
   out_.end();

@@ -196,7 +196,7 @@ class Exporter {
   void export_walls() {
     double window[] = {xsp_window_height, 0.0, xsp_window_width, 0.0};
     double friction = 0.0, restitution = walls_.empty() ? 1.0 : walls_[0].collider->restitution;
-    bool moved = false, restitutions_differ = false;
+    bool moved = false, restitutions_differ = false, slides = false;
     for (const Wall& wall : walls_) {
       const auto side = static_cast<std::size_t>(wall.side);
       const bool is_vertical = wall.side == XspSide::Left || wall.side == XspSide::Right;
@@ -205,6 +205,7 @@ class Exporter {
       moved = moved || std::abs(place - window[side]) > 0.01;
       restitutions_differ = restitutions_differ || wall.collider->restitution != restitution;
       friction = std::max(friction, wall.collider->friction);
+      slides = slides || (!wall.collider->one_way && wall.collider->restitution < 1.0);
     }
     if (const PairContact& contact = system_.contact; contact.points) {
       document_.forces[4] = {.active = true};
@@ -217,6 +218,7 @@ class Exporter {
     if (moved) report_loss("the positions of the walls: they are the sides of the window");
     if (restitutions_differ) report_loss("different restitutions of walls: all have that of the first");
     if (friction > 0.0) report_loss("the friction of walls");
+    if (slides) report_loss("slides along walls: impacts multiply the tangential velocity by the restitution");
   }
 
   void export_masses() {

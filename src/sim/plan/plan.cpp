@@ -37,6 +37,7 @@ bool flatten(Collider& collider) {
 
 void plan_colliders(Plan& plan, const System& system) {
   plan.colliders.clear();
+  plan.one_way.clear();
   plan.collider_paths.index.clear();
   plan.collider_paths.any_moves = false;
   plan.collider_paths.resolving_step = std::numeric_limits<double>::infinity();
@@ -44,6 +45,10 @@ void plan_colliders(Plan& plan, const System& system) {
   for (std::size_t c = 0; c < system.colliders.size(); ++c) {
     Collider collider = system.colliders[c];
     if (!collider.solid || (plan.dimensions == 2 && !flatten(collider))) continue;
+    if (collider.one_way && !collider.path.moves() && std::holds_alternative<Plane>(collider.shape)) {
+      plan.one_way.push_back(collider);
+      continue;
+    }
     plan.collider_paths.any_moves = plan.collider_paths.any_moves || collider.path.moves();
     plan.collider_paths.resolving_step = std::min(plan.collider_paths.resolving_step, collider.path.resolving_step());
     plan.colliders.push_back(collider);
@@ -88,14 +93,14 @@ void plan_forces(Plan& plan, const System& system) {
   std::ranges::stable_sort(plan.forces, {}, [](const Force& force) { return force.term->rank; });
   plan.force_data.depend_on_velocity = std::ranges::any_of(plan.forces, &Force::depends_on_velocity);
 
-  plan.force_data.faces.clear();
-  plan.force_data.face_rows.clear();
+  plan.force_data.faces = 0;
+  plan.force_data.panels.clear();
+  plan.force_data.panel_rows.clear();
   plan.force_data.hinges = {};
   plan.force_data.enclosures = {};
   plan.force_data.sticky.strength = 0.0;
   if (plan.forces.empty()) return;
-  for (const Face& face : system.faces)
-    plan.force_data.faces.push_back({system.index_of(face.points[0]), system.index_of(face.points[1]), system.index_of(face.points[2])});
+  plan.force_data.faces = system.faces.size();
   for (const Force& force : plan.forces)
     if (force.term->prepare != nullptr) force.term->prepare(system, plan);
 }
