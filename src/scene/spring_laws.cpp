@@ -23,14 +23,4 @@ LawError error_of(const Spring& spring) {
   return {};
 }
 
-std::string describe_law(const Spring& spring) {
-  if (!spring.law) return {};
-  std::string text;
-  const auto add = [&](std::string_view part) { text += (text.empty() ? "" : ", ") + std::string(part); };
-  if (spring.law->force != SpringForce::Linear) add(spring_forces[static_cast<std::size_t>(spring.law->force)].id);
-  if (spring.law->amplitude != 0.0) add("muscle");
-  if (spring.law->rate != 0.0) add("winch");
-  return text.empty() ? "linear" : text;
-}
-
 }  // namespace hooke

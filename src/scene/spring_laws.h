@@ -30,7 +30,4 @@ struct LawError {
 };
 LawError error_of(const Spring& spring);
 
-// "cable", "cubic, muscle"; empty without a law.
-std::string describe_law(const Spring& spring);
-
 }  // namespace hooke

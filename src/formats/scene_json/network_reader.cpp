@@ -194,25 +194,19 @@ void NetworkReader::check_point_numbers() const {
       if (!exists(id)) refuse("faces[" + std::to_string(f) + "]", missing(id));
 }
 
-// Rest lengths that are not given are as drawn; laws may depend on them.
+// Those that are not given are as drawn. Laws may depend on them.
 void NetworkReader::set_rest_lengths() {
   for (std::size_t s = 0; s < network_.springs.size(); ++s) {
     Spring spring = network_.springs[s];
-    const auto check_law = [&] {
-      if (const LawError error = error_of(spring); !error.limit.empty())
-        refuse("springs[" + std::to_string(s) + "]." + std::string(error.field), error.limit);
-    };
-    if (!std::isnan(spring.rest_length)) {
-      check_law();
-      continue;
+    const auto field = [&] { return "springs[" + std::to_string(s) + "]."; };
+    if (std::isnan(spring.rest_length)) {
+      const auto i = static_cast<std::uint32_t>(spring.first), j = static_cast<std::uint32_t>(spring.second);
+      spring.rest_length = glm::length(network_.position[j] - network_.position[i]);
+      if (!std::isfinite(spring.rest_length))
+        refuse(field() + "rest_length", format_exact(spring.rest_length) + " as drawn: must be a number below 1.8e308");
+      network_.springs.set_properties(s, spring);
     }
-    const auto i = static_cast<std::uint32_t>(spring.first), j = static_cast<std::uint32_t>(spring.second);
-    spring.rest_length = glm::length(network_.position[j] - network_.position[i]);
-    if (!std::isfinite(spring.rest_length))
-      refuse("springs[" + std::to_string(s) + "].rest_length",
-             format_exact(spring.rest_length) + " as drawn: must be a number below 1.8e308");
-    check_law();
-    network_.springs.set_properties(s, spring);
+    if (const LawError error = error_of(spring); !error.limit.empty()) refuse(field() + std::string(error.field), error.limit);
   }
 }
 

@@ -14,7 +14,6 @@
 #include "formats/xsp/xsp_file.h"
 #include "formats/xsp/xsp_text.h"
 #include "scene/new_point.h"
-#include "scene/spring_laws.h"
 #include "sim/forces/terms/rows.h"
 
 namespace hooke {
@@ -243,7 +242,7 @@ class Exporter {
     int id = 0;
     for (const Spring& spring : system_.springs()) {
       if (spring.law)
-        throw InputError(file_ + ": springs[" + std::to_string(id) + "]: .xsp cannot represent its law (" + describe_law(spring) + ")");
+        throw InputError(file_ + ": springs[" + std::to_string(id) + "].law: .xsp cannot represent laws, muscles and winches");
       document_.springs.push_back({.id = ++id,
                                    .first = system_.index_of(spring.first) + 1,
                                    .second = system_.index_of(spring.second) + 1,

@@ -7,17 +7,18 @@
 namespace hooke {
 namespace {
 
-// From the second end to the first one.
+// From the second end to the first one, at x or, if v is given, at x + h v.
 struct Axis {
   double u[3] = {};
   double length = 0.0;
 };
-Axis axis_of(const Plan& plan, const LawSpring& spring, const double* x) {
+Axis axis_of(const Plan& plan, const LawSpring& spring, const double* x, const double* v = nullptr, double h = 0.0) {
   Axis axis;
   double square = 0.0;
   for (int c = 0; c < plan.dimensions; ++c) {
     const std::size_t at = static_cast<std::size_t>(c) * plan.points;
     axis.u[c] = x[at + spring.first] - x[at + spring.second];
+    if (v != nullptr) axis.u[c] += h * (v[at + spring.first] - v[at + spring.second]);
     square += axis.u[c] * axis.u[c];
   }
   axis.length = std::sqrt(square);
@@ -49,7 +50,6 @@ void apply_impulse(const Plan& plan, const LawSpring& spring, const Axis& axis, 
   pull(plan, spring, axis, plan.inverse_mass[spring.first] * impulse, plan.inverse_mass[spring.second] * impulse, v.data());
 }
 
-// Whether both ends are where they were drawn for good.
 bool is_fixed(const Plan& plan, const LawSpring& spring) {
   return plan.inverse_mass[spring.first] == 0.0 && plan.inverse_mass[spring.second] == 0.0;
 }
@@ -112,16 +112,7 @@ void sweep_law_dashpots(const Plan& plan, SweepDirection sweep, double duration,
 void project_laws(const Plan& plan, double h, double phi, double time, const Field& x, Field& v) {
   for (const LawSpring& spring : plan.spring.laws.springs) {
     if (is_fixed(plan, spring)) continue;
-    Axis axis;
-    double square = 0.0;
-    for (int c = 0; c < plan.dimensions; ++c) {
-      const std::size_t i = static_cast<std::size_t>(c) * plan.points + spring.first, j = i - spring.first + spring.second;
-      axis.u[c] = x[i] - x[j] + h * (v[i] - v[j]);
-      square += axis.u[c] * axis.u[c];
-    }
-    if (square == 0.0) continue;
-    axis.length = std::sqrt(square);
-    for (double& component : axis.u) component /= axis.length;
+    const Axis axis = axis_of(plan, spring, x.data(), v.data(), h);
     const auto [of, damping] = response_of(spring, plan.spring.laws.clock, time, axis.length);
     const double inverse_mass = plan.inverse_mass[spring.first] + plan.inverse_mass[spring.second];
     const double impulse = phi * (of.tension + damping * speed_along(plan, spring, axis, v.data())) /

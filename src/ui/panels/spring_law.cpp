@@ -28,12 +28,11 @@ const LawNumber numbers[] = {
      true},
     {{.label = "Muscle", .description = "Amplitude of the rest length, relative to it; 0: no muscle.", .min = -1.0, .max = 1.0},
      &SpringLaw::amplitude},
-    {{.label = "Frequency", .unit = "1/s", .description = "Frequency of the muscle.", .min = 0.0, .max = 1e6}, &SpringLaw::frequency},
+    {{.label = "Frequency", .unit = "1/s", .description = "Frequency of the muscle.", .max = 1e6}, &SpringLaw::frequency},
     {{.label = "Phase", .unit = "rad", .description = "Phase of the muscle.", .min = -1e6, .max = 1e6}, &SpringLaw::phase},
     {{.label = "Winch", .unit = "m/s", .description = "Rate of the rest length; 0: no winch.", .min = -1e6, .max = 1e6}, &SpringLaw::rate},
-    {{.label = "Shortest", .unit = "m", .description = "Minimum rest length of the winch.", .min = 0.0, .max = 1e6},
-     &SpringLaw::min_rest_length},
-    {{.label = "Longest", .unit = "m", .description = "Maximum rest length of the winch.", .min = 0.0, .max = 1e6, .infinity_text = "none"},
+    {{.label = "Shortest", .unit = "m", .description = "Minimum rest length.", .max = 1e6}, &SpringLaw::min_rest_length},
+    {{.label = "Longest", .unit = "m", .description = "Maximum rest length.", .max = 1e6, .infinity_text = "none"},
      &SpringLaw::max_rest_length},
 };
 
