@@ -49,7 +49,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     files = {f"hooke/{file.name}": file.read_bytes() for file in sorted(next(prefix.rglob("_hooke*.so")).parent.iterdir()) if file.is_file()}
     for folder, kind in (("scenes", ".json"), ("textures", ".png")):
         for file in sorted((root / "assets" / folder).glob(f"*{kind}")):
-            files[f"{name}.data/data/share/hooke/{folder}/{file.name}"] = file.read_bytes()
+            files[f"hooke/share/hooke/{folder}/{file.name}"] = file.read_bytes()
     shutil.rmtree(prefix)
     files[f"{name}.dist-info/METADATA"] = _metadata().encode()
     files[f"{name}.dist-info/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: hooke\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()

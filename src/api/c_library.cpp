@@ -71,7 +71,8 @@ constexpr bool (R::*step_seconds)(double) = &R::step;
 
 }  // namespace
 
-// clang-format off: one function a line
+// one function a line
+// clang-format off
 const char* hooke_version() { return version(); }
 const char* hooke_error() { return last_error.c_str(); }
 
