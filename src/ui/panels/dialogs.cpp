@@ -278,7 +278,9 @@ void build_dialogs(const PanelInput& input, Panels& panels, Requests& requests) 
     ImGui::PopFont();
     ImGui::Dummy({0.0f, units(4.0)});
     if (input.presses(PanelKey::Target::Dialog, Key::Enter) > 0 && has_focused_item()) press_focused_item();
+    begin_tab_stops();
     row.build(input, panels, requests);
+    end_tab_stops();
     ImGui::EndPopup();
   } else {
     panels.dialog = {};

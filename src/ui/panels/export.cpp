@@ -123,6 +123,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Export");
   ImGui::PopFont();
+  begin_tab_stops();
   ImGui::BeginDisabled(input.export_work.is_running);
   kinds(export_state, input.status.snapshot->system->dimensions == 2);
   ImGui::Dummy({0.0f, units(2.0)});
@@ -137,6 +138,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   export_state.is_new = false;
   ImGui::Dummy({0.0f, units(4.0)});
   buttons(input, export_state, requests);
+  end_tab_stops();
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);
