@@ -22,7 +22,6 @@ bool push_button(const char* label) {
   return ImGui::Button(label, {std::max(units(96.0), text + units(24.0)), units(30.0)});
 }
 
-// Where the focus is not on another button.
 bool enter_pressed(const PanelInput& input) { return input.presses(PanelKey::Target::Dialog, Key::Enter) > 0 && !has_focused_item(); }
 bool escape_pressed(const PanelInput& input) { return input.presses(PanelKey::Target::Dialog, Key::Escape) > 0; }
 
