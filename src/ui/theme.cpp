@@ -18,8 +18,7 @@ double current_scale = 1.0;
 constexpr ImWchar glyphs[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x0400, 0x04ff, 0x2010, 0x2027, 0x2070, 0x209f,
                               0x2190, 0x2193, 0x2200, 0x2265, 0x25a1, 0x25a1, 0x25cf, 0x25cf, 0};
 
-// A box.
-constexpr ImWchar missing_glyph = 0x25a1;
+constexpr ImWchar missing_glyph = 0x25a1;  // a box
 
 // In whole pixels: the hinting of other sizes is blurred.
 ImFont* load_font(const char* name, double size, double density) {

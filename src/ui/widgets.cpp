@@ -24,6 +24,13 @@ void press_focused_item() {
   gui.NavActivateId = gui.NavActivateDownId = gui.NavActivatePressedId = gui.NavId;
 }
 
+// Tab goes to items with this flag; activated as inputs, buttons are not pressed.
+void begin_tab_stops() {
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab))) ImGui::GetCurrentContext()->NavDisableHighlight = false;
+  ImGui::PushItemFlag(ImGuiItemFlags_Inputable, true);
+}
+void end_tab_stops() { ImGui::PopItemFlag(); }
+
 bool begin_panel(const char* name, const Rect& place, ImGuiWindowFlags flags) {
   ImGui::SetNextWindowPos(corner(place));
   ImGui::SetNextWindowSize(extent(place));

@@ -86,7 +86,8 @@ class SelectTool : public Tool {
     mark_handles(context, marks);
     if (interaction_ == Interaction::Velocity && context.system().index_of(point_) != no_index) {
       const Vec3 from = context.snapshot().position(point_);
-      marks.arrows.push_back({Arrows::Kind::Velocity, arrow_seconds_, {{from, from + arrow_seconds_ * velocity(context)}}});
+      marks.arrows.insert(marks.arrows.begin(),
+                          {Arrows::Kind::Velocity, arrow_seconds_, {{from, from + arrow_seconds_ * velocity(context)}}});
     }
     if (interaction_ != Interaction::Nothing) return;
     marks.hovered_point = context.point_at(pointer.at);

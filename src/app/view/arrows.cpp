@@ -9,8 +9,7 @@
 namespace hooke {
 namespace {
 
-// More arrows would cover the scene, and their forces would delay the window.
-constexpr Index max_points = 20'000;
+constexpr Index max_points = 20'000;  // more arrows would cover the scene, and their forces would delay the window
 
 }  // namespace
 

@@ -20,7 +20,6 @@ struct BackgroundWork {
   ResultTask<StretchBreakdown> stretch;
   GhostRuns ghosts;
 
-  // Once per frame.
   void follow(const Status& status, const Panels& panels, LabThread& lab) {
     forecaster.follow(status);
     crossings.follow(status);
@@ -29,8 +28,8 @@ struct BackgroundWork {
     result_check.follow();
     stretch.follow();
     ghosts.follow(status, lab);
-    const auto& divergence = status.snapshot->divergence;
-    remedy.follow(status, divergence && panels.dismissed != divergence->time);
+    const auto& failure = status.snapshot->divergence;
+    remedy.follow(status, failure && panels.dismissed != failure->time);
   }
   // Another scene is about to replace the one on screen.
   void clear(const Status& status, LabThread& lab) {
@@ -40,7 +39,6 @@ struct BackgroundWork {
     result_check.clear();
     stretch.clear();
   }
-  // Something whose progress is shown.
   bool is_running() const { return remedy.is_running() || comparison.is_running() || result_check.is_running() || stretch.is_running(); }
 };
 

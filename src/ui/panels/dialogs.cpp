@@ -22,7 +22,6 @@ bool push_button(const char* label) {
   return ImGui::Button(label, {std::max(units(96.0), text + units(24.0)), units(30.0)});
 }
 
-// Where the focus is not on another button.
 bool enter_pressed(const PanelInput& input) { return input.presses(PanelKey::Target::Dialog, Key::Enter) > 0 && !has_focused_item(); }
 bool escape_pressed(const PanelInput& input) { return input.presses(PanelKey::Target::Dialog, Key::Escape) > 0; }
 
@@ -278,7 +277,9 @@ void build_dialogs(const PanelInput& input, Panels& panels, Requests& requests) 
     ImGui::PopFont();
     ImGui::Dummy({0.0f, units(4.0)});
     if (input.presses(PanelKey::Target::Dialog, Key::Enter) > 0 && has_focused_item()) press_focused_item();
+    begin_tab_stops();
     row.build(input, panels, requests);
+    end_tab_stops();
     ImGui::EndPopup();
   } else {
     panels.dialog = {};

@@ -76,12 +76,6 @@ void picture_rows(ExportState& export_state, const PanelInput& input, Panels& pa
   size("Height", picture.height);
 }
 
-// Whether the export would replace a file.
-bool replaces_file(const ExportState& export_state) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(resolve_typed_path(export_state.path, std::filesystem::current_path(error)), error);
-}
-
 void buttons(const PanelInput& input, ExportState& export_state, Requests& requests) {
   const ExportWork& work = input.export_work;
   if (work.is_running) {
@@ -91,7 +85,9 @@ void buttons(const PanelInput& input, ExportState& export_state, Requests& reque
     return;
   }
   // Enter goes to the button that replaces a file, and only there presses it
-  const bool replaces = replaces_file(export_state), enter = input.presses(PanelKey::Target::Export, Key::Enter) > 0;
+  std::error_code error;
+  const auto file = resolve_typed_path(export_state.path, std::filesystem::current_path(error));
+  const bool replaces = std::filesystem::is_regular_file(file, error), enter = input.presses(PanelKey::Target::Export, Key::Enter) > 0;
   if (replaces) text_in(palette::warning, "A file with this name exists");
   if (enter && has_focused_item()) press_focused_item();
   if (enter && !has_focused_item() && replaces) ImGui::SetKeyboardFocusHere();
@@ -123,6 +119,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Export");
   ImGui::PopFont();
+  begin_tab_stops();
   ImGui::BeginDisabled(input.export_work.is_running);
   kinds(export_state, input.status.snapshot->system->dimensions == 2);
   ImGui::Dummy({0.0f, units(2.0)});
@@ -137,6 +134,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   export_state.is_new = false;
   ImGui::Dummy({0.0f, units(4.0)});
   buttons(input, export_state, requests);
+  end_tab_stops();
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);

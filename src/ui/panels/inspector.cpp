@@ -63,19 +63,21 @@ void velocity_row(const char* label, int axis, const Inspected& inspected, Panel
   const State& state = inspected.snapshot.state;
   std::vector<Index> free;
   std::ranges::copy_if(inspected.parts.points, std::back_inserter(free), [&](Index i) { return !inspected.point(i).nailed; });
-  if (free.empty()) return;
   const auto now = common(free, [&](Index i) { return state.velocity[i][axis]; });
   const TypedField field{
       .label = label, .unit = "m/s", .description = "Alt+drag from a point in the scene sets it too.", .min = -max_speed, .max = max_speed};
-  if (const auto value = typed_row(field_of(field, now), panels)) {
-    SetVelocity set;
-    for (const Index i : free) {
-      Vec3 velocity = state.velocity[i];
-      velocity[axis] = *value;
-      set.values.emplace_back(inspected.point(i).id, velocity);
-    }
-    edit(std::move(set), panels, requests);
+  // kept where all are nailed, so that rows stay in place
+  ImGui::BeginDisabled(free.empty());
+  const auto value = typed_row(field_of(field, now), panels);
+  ImGui::EndDisabled();
+  if (!value || free.empty()) return;
+  SetVelocity set;
+  for (const Index i : free) {
+    Vec3 velocity = state.velocity[i];
+    velocity[axis] = *value;
+    set.values.emplace_back(inspected.point(i).id, velocity);
   }
+  edit(std::move(set), panels, requests);
 }
 
 void nailed_row(const Inspected& inspected, Panels& panels, Requests& requests) {

@@ -189,8 +189,7 @@ const MenuRow* menu_of_keys(const PanelInput& input, Panels& panels) {
   if (turn == 0 || panels.menus.on_submenu || ImGui::GetCurrentContext()->OpenPopupStack.Size != 1) return nullptr;
   const auto open = std::ranges::find_if(menus, [](const MenuRow& menu) { return ImGui::IsPopupOpen(menu.name); });
   if (open == std::end(menus)) return nullptr;
-  constexpr auto count = static_cast<std::ptrdiff_t>(std::size(menus));
-  return &menus[(open - std::begin(menus) + turn + count) % count];
+  return &menus[(open - menus + turn + std::ssize(menus)) % std::ssize(menus)];
 }
 
 // A flat button at x that opens the menu below it. Returns its width.

@@ -6,7 +6,9 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/round_number.h"
@@ -112,7 +114,9 @@ void arrow_scales(const PanelInput& input, const Panels& panels, ImDrawList& lis
   const double meters = input.camera.meters_per_pixel(input.camera.target, {scene.width, scene.height});
   const Palette colors = palette_for(background_of(panels.look));
   float y = static_cast<float>(scene.y + scene.height) - units(16.0);
+  std::optional<Arrows::Kind> last;
   for (const Arrows& arrows : input.marks->arrows) {
+    if (arrows.kind == std::exchange(last, arrows.kind)) continue;
     const bool is_force = arrows.kind == Arrows::Kind::Force;
     const double value = round_below(units(90.0) * meters / arrows.scale);
     const auto length = static_cast<float>(value * arrows.scale / meters);
@@ -132,12 +136,14 @@ void point_numbers(const PanelInput& input, const Panels& panels, ImDrawList& li
   constexpr Index max_numbers = 500;
   const System& system = *input.status.snapshot->system;
   const Rect& scene = input.layout.scene;
+  const glm::dvec2 size(scene.width, scene.height);
   ImGui::PushFont(fonts().small);
   for (Index i = 0; i < system.point_count(); ++i) {
     if (system.point_count() > max_numbers && !input.selection.contains(system.points()[i].id)) continue;
-    const Vec3 at = input.camera.project(input.status.snapshot->state.position[i], {scene.width, scene.height});
+    const Vec3 at = input.camera.project(input.status.snapshot->state.position[i], size);
     if (!(at.z >= 0.0 && at.z <= 1.0)) continue;
-    list.AddText(place(scene, at.x + units(6.0), at.y - units(16.0)), palette::text, std::to_string(i).c_str());
+    const double ball = system.points()[i].radius / input.camera.meters_per_pixel(input.status.snapshot->state.position[i], size);
+    list.AddText(place(scene, at.x + 0.7 * ball + units(3.0), at.y - 0.7 * ball - units(15.0)), palette::text, std::to_string(i).c_str());
   }
   ImGui::PopFont();
 }

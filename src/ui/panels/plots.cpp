@@ -130,20 +130,17 @@ void show_readout(const TraceTable& table, const Plot& plot, double time) {
 // A, then B; then both are removed.
 void set_cursor(double time, PlotView& plots) {
   auto& [a, b] = plots.cursors;
-  if (!a)
-    a = time;
-  else if (!b)
-    b = time;
-  else
+  if (a && b)
     a = b = std::nullopt;
+  else
+    (a ? b : a) = time;
 }
 
 // Between the cursors: their distance as a period and a frequency, and the differences of the values.
 void draw_difference(ImDrawList& list, const TraceTable& table, const Plot& plot, const PlotView& plots, ImVec2 min, ImVec2 max) {
   const auto& [a, b] = plots.cursors;
   if (!a || !b || *a == *b) return;
-  const double period = std::abs(*b - *a);
-  std::string text = "B - A = " + quantity_text(*b - *a, "s") + "  (" + quantity_text(1.0 / period, "Hz") + ")";
+  std::string text = "B - A = " + quantity_text(*b - *a, "s") + "  (" + quantity_text(1.0 / std::abs(*b - *a), "Hz") + ")";
   for (const auto& [trace, color] : plot.lines)
     text += "\n" + trace->quantity.name() + ": " +
             quantity_text(trace->values[sample_at(table, *b)] - trace->values[sample_at(table, *a)], plot.unit);
