@@ -31,7 +31,7 @@ template <> inline constexpr std::array<std::string_view, 2> field_names<Plane> 
 template <> inline constexpr std::array<std::string_view, 2> field_names<Sphere> = {"center", "radius"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Box> = {"min", "max"};
 template <> inline constexpr std::array<std::string_view, 5> field_names<ColliderPath> = {"oscillate", "frequency", "phase", "spin", "belt"};
-template <> inline constexpr std::array<std::string_view, 5> field_names<Collider> = {"shape", "restitution", "friction", "solid", "path"};
+template <> inline constexpr std::array<std::string_view, 6> field_names<Collider> = {"shape", "restitution", "friction", "solid", "one_way", "path"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Force> = {"type", "on", "values"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Patch> = {"points", "shares"};
 template <> inline constexpr std::array<std::string_view, 8> field_names<EnergySupply> = {

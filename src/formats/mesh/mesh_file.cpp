@@ -90,9 +90,9 @@ std::string format_obj(const Scene& scene) {
   const FaceList& faces = scene.system.faces;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (faces.is_quad(f)) {
-      // the diagonal is from the second corner to the fourth
+      // the diagonal of what is read is from the first corner to the third
       const auto [a, b, c, d] = faces.quad(f++);
-      text += "f" + number(b) + number(c) + number(d) + number(a) + "\n";
+      text += "f" + number(d) + number(a) + number(b) + number(c) + "\n";
       continue;
     }
     const auto [a, b, c] = faces[f].points;

@@ -133,9 +133,10 @@ class Importer {
   // In XSpringies the pull falls with the square of the distance where a mass is closer than its radius and one pixel.
   void add_center_force(const XspForce& force) {
     const MostCommon radius = most_common(document_.masses, 0.0, [](const XspMass& mass) { return xsp_radius(mass_of(mass), false); });
-    add_force(center_force, {center_.x, center_.y, 0.0, scaled(force), force.p2, radius.value + pixel});
-    warn("the pull to the center is approximate within " + format_rounded(radius.value + pixel) + " m of it" +
-         (radius.others == 0 ? "" : ", the radius of most masses and a pixel"));
+    add_force(center_force, {center_.x, center_.y, 0.0, scaled(force), force.p2, radius.value + pixel, 1.0});
+    if (radius.others > 0)
+      warn("the pull to the center is approximate within " + format_rounded(radius.value + pixel) +
+           " m of it, the radius of most masses and a pixel");
   }
 
   // converts p1 of an acceleration p1 / distance^p2 to meters
