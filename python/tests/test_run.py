@@ -34,7 +34,7 @@ def test_the_energy_balance_adds_up():
     scene = hooke.load("cloth")
     lab = scene.run(0.5).lab
     balance = lab.energy_balance
-    assert list(balance) == ["since", "change", "hand", "edits", "forces", "colliders", "limits", "drag", "dashpots", "contact", "method"]
+    assert list(balance) == ["since", "change", "hand", "edits", "forces", "muscles", "colliders", "limits", "drag", "dashpots", "contact", "method"]
     parts = sum(joules for name, joules in balance.items() if name not in ("since", "change"))
     assert balance["since"] == 0 and np.isclose(balance["change"], parts, rtol=0, atol=1e-12)
     assert scene.run(0.1, accuracy="off").lab.energy_balance is None

@@ -15,7 +15,8 @@ namespace {
 
 void clear(const Color& background, float opacity) {
   glDepthMask(GL_TRUE);
-  glClearColor(background.red / 255.0f, background.green / 255.0f, background.blue / 255.0f, opacity);
+  // readers expect colors multiplied by the opacity
+  glClearColor(opacity * background.red / 255.0f, opacity * background.green / 255.0f, opacity * background.blue / 255.0f, opacity);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 

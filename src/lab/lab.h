@@ -206,7 +206,7 @@ class Lab {
   Energy energy_after_frame() const;
   std::optional<Insert> tear();
   void record_tear(Insert pieces);
-  void drop_frame();
+  void drop_frame(bool restores_springs = true);
   bool compute_companions(const std::function<bool()>& should_continue);
   void record_edit(const Command& command);
   void record_held_edits();

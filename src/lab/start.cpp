@@ -63,6 +63,8 @@ Scene Start::return_from(const Scene& now) const {
     }
   }
   scene.state.hand = {};
+  // muscles and winches at the phase of the start
+  scene.system.muscles.offset = start.muscles.at(scene_->state.time) - scene.system.muscles.rate() * scene_->state.time;
   Effect effect;
   apply(scene, GoToState{std::make_shared<const State>(std::move(state))}, effect);
   for (Index i = 0; i < scene.system.point_count(); ++i)

@@ -60,7 +60,8 @@ bool add_spring_curve(const DrawContext& context, const Spring& spring, const Ve
     if (!(slack > 0.0) || !(gravity > 0.0)) return false;
     const double sag = std::min(std::sqrt(0.375 * length * slack) + 0.5 * slack * slack / rest_length, 0.5 * rest_length);
     const Vec3 down = system.gravity / gravity, hanging = down - glm::dot(down, along) * along;
-    const Vec3 direction = glm::normalize(hanging + (1.0 - glm::length(hanging)) * axes.in_picture);
+    const Vec3 aside = glm::dot(axes.in_picture, hanging) < 0.0 ? -axes.in_picture : axes.in_picture;
+    const Vec3 direction = glm::normalize(hanging + (1.0 - glm::length(hanging)) * aside);
     add_curve(context, from, to, 16, color, width, depth_offset, strokes, [&](double s) { return 4.0 * s * (1.0 - s) * sag * direction; });
     return true;
   }

@@ -132,7 +132,8 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
   }
 
   if (is_addition_)
-    for (const char* other : {"name", "description", "dimensions", "time", "hand", "view", "defaults", "controls", "check", "gallery"})
+    for (const char* other : {"name", "description", "notes", "muscle_offset", "dimensions", "time", "hand", "view", "defaults", "controls",
+                              "check", "gallery"})
       if (key == other) refuse(other, "cannot be added to a scene");
   const JsonField field(name_, key, parser_.parse(text));
   if (field.is("hooke")) {

@@ -59,7 +59,7 @@ bool read_law_field(const JsonField& member, Spring& spring) {
 void write_law(const SpringLaw& law, JsonWriter& out) {
   if (law.force != SpringForce::Linear) out.text("law", spring_forces[static_cast<std::size_t>(law.force)].id);
   if (law.k3 != 0.0) out.number("k3", law.k3);
-  if (law.amplitude != 0.0) {
+  if (law.amplitude != 0.0 || law.frequency != SpringLaw{}.frequency || law.phase != 0.0) {
     out.key("muscle");
     out.begin_object(JsonWriter::Layout::Line);
     out.number("amplitude", law.amplitude);

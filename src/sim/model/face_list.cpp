@@ -38,7 +38,7 @@ bool FaceList::is_quad(std::size_t f) const {
   return second[0] == first[2] && second[1] == first[1] && second[2] != first[0];
 }
 
-// In one of both orders, the first half shares at most two points with the face before.
+// The second order of the halves is taken where the first half and the face before would read as a quad.
 void FaceList::push_quad(const Panel<PointId>& corners) {
   const auto& [a, b, c, d] = corners;
   push_back({{b, c, a}});

@@ -10,7 +10,7 @@ namespace hooke {
 
 SpringResponse response_of(const SpringLaw& law, double k, double e) {
   const bool is_off = (law.force == SpringForce::Cable && !(e > 0.0)) || (law.force == SpringForce::Strut && !(e < 0.0));
-  if (is_off) return {};
+  if (is_off || k == 0.0) return {};
   if (law.force != SpringForce::Cubic) return {k * e, k, 0.5 * k * e * e, true};
   // softening: the derivative k + 3 k3 e^2 is zero at e = p
   const double p = law.k3 < 0.0 ? std::sqrt(k / (-3.0 * law.k3)) : std::numeric_limits<double>::infinity();
@@ -19,7 +19,7 @@ SpringResponse response_of(const SpringLaw& law, double k, double e) {
 }
 
 double max_stiffness(const SpringLaw& law, double k, double rest_length) {
-  return law.force == SpringForce::Cubic ? k + 3.0 * std::max(0.0, law.k3) * rest_length * rest_length : k;
+  return law.force == SpringForce::Cubic && k > 0.0 ? k + 3.0 * std::max(0.0, law.k3) * rest_length * rest_length : k;
 }
 
 MovingLength rest_length_at(const SpringLaw& law, double rest_length, double time) {

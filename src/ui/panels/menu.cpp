@@ -189,7 +189,8 @@ const MenuRow* menu_of_keys(const PanelInput& input, Panels& panels) {
   if (turn == 0 || panels.menus.on_submenu || ImGui::GetCurrentContext()->OpenPopupStack.Size != 1) return nullptr;
   const auto open = std::ranges::find_if(menus, [](const MenuRow& menu) { return ImGui::IsPopupOpen(menu.name); });
   if (open == std::end(menus)) return nullptr;
-  return &menus[(open - menus + turn + std::ssize(menus)) % std::ssize(menus)];
+  const auto count = std::ssize(menus);
+  return &menus[((open - menus + turn) % count + count) % count];
 }
 
 // A flat button at x that opens the menu below it. Returns its width.

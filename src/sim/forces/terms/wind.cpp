@@ -87,7 +87,7 @@ void use_flow(const Plan& plan, const Panel<Index>& panel, const Vec3& wind, con
   use(Flow{0.5 * length, normal, across, past - across * normal});
 }
 
-// Of n corners. With N of twice the area, q = u.N / N.N and u_t = u - q N:
+// The force on each of the n corners. With N of twice the area, q = u.N / N.N and u_t = u - q N:
 //   A a |u.n| (u.n) n = a/2 |u.N| q N,  A b |u_t| u_t = b/2 sqrt(N.N u_t.u_t) u_t
 // with a division and a square root.
 Vec3 force_on_corner(const Plan& plan, const Panel<Index>& panel, const Wind& wind, const double* x, const double* v) {
@@ -247,6 +247,7 @@ ForceCost cost(const Plan& plan, const ForceValues&) {
 }
 
 void prepare(const System& system, Plan& plan) {
+  plan.force_data.panels.clear();
   for (std::size_t f = 0; f < system.faces.size(); ++f) {
     const bool is_quad = system.faces.is_quad(f);
     const auto [a, b, c] = system.faces[f].points;
