@@ -7,6 +7,8 @@
 #include "formats/lammps/lammps_model.h"
 #include "formats/xsp/xsp_file.h"
 #include "scene/parameters.h"
+#include "sim/forces/energy/energy.h"
+#include "sim/forces/forces.h"
 #include "sim/methods/rows.h"
 #include "support/command_text.h"
 #include "support/measured_lab.h"
@@ -27,6 +29,22 @@ std::string error_of_spring(const std::string& members) {
     return error.what();
   }
   return "";
+}
+
+TEST(LawFields, DoNotActWhereTheSpringIsSwitchedOff) {
+  Scene scene = with_spring(R"(, "family": "structural", "rest_length": 0.5, "law": "cubic", "k3": 30)");
+  const Spring spring = scene.system.springs()[0];
+  EXPECT_GT(elastic_energy(scene.system, scene.state, spring), 0.0);
+  scene.system.family_on.fill(false);
+  EXPECT_EQ(elastic_energy(scene.system, scene.state, spring), 0.0);
+  EXPECT_EQ(scene.system.stiffness_bound_of(spring), 0.0);
+  Motion motion;
+  const Plan plan = make_plan(scene.system);
+  pack(plan, scene.state, motion);
+  Field f = motion.x, weight = motion.x;
+  compute_forces(plan, 0.0, motion.x, motion.v, f);
+  compute_external_forces(plan, 0.0, motion.x, motion.v, weight);
+  EXPECT_EQ(f, weight);
 }
 
 TEST(LawFields, AreReadAndWritten) {
