@@ -5,10 +5,12 @@
 #include <atomic>
 #include <chrono>
 
+#include "batch/run_frames.h"
+
 namespace hooke {
 namespace {
 
-std::atomic<bool> interrupted = false;
+std::atomic<int> interrupted = 0;      // by this signal
 std::atomic<long> interrupted_at = 0;  // [ms]
 
 // The first signal asks to end in order: unfinished files are removed, other programs are ended. A later one ends the program at once. One
@@ -16,7 +18,8 @@ std::atomic<long> interrupted_at = 0;  // [ms]
 void handle(int signal) {
   using namespace std::chrono;
   const long now = duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
-  if (!interrupted.exchange(true)) {
+  int none = 0;
+  if (interrupted.compare_exchange_strong(none, signal)) {
     interrupted_at = now;
     return;
   }
@@ -34,6 +37,17 @@ void catch_interrupts() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-bool was_interrupted() { return interrupted; }
+bool was_interrupted() { return interrupted != 0; }
+
+int exit_interrupted() { return 128 + interrupted; }
+
+void throw_if_interrupted() {
+  if (was_interrupted()) throw Interrupted();
+}
+
+void catch_interrupts(Lab& lab) {
+  catch_interrupts();
+  lab.watch_substeps(&throw_if_interrupted);
+}
 
 }  // namespace hooke

@@ -11,6 +11,7 @@
 #include "edit/apply.h"
 #include "formats/open_file.h"
 #include "scene/parameters.h"
+#include "sim/forces/bands.h"
 #include "sim/methods/integrator.h"
 #include "sim/model/hash.h"
 
@@ -39,14 +40,7 @@ NamedScene load(const std::string& name, const std::map<std::string, std::string
 NamedScene parse(const std::string& text, const std::string& name) { return {name, parse_scene(text, name)}; }
 
 // The members of a scene file that list parts: "generators": [...], "colliders": [...].
-void add_part(NamedScene& scene, const std::string& members, const std::string& name) {
-  const std::string dimensions = std::to_string(scene.scene().system.dimensions);
-  const LoadedScene part = parse_scene("{\"hooke\": 1, \"dimensions\": " + dimensions + ", " + members + "}", name);
-  // in a call an unknown field is a mistake; in a file it may be of a later version
-  for (const std::string& warning : part.warnings)
-    if (const std::size_t end = warning.find(", kept"); end != std::string::npos) throw InputError(warning.substr(0, end));
-  append_parts(scene.scene(), part.scene);
-}
+void add_part(NamedScene& scene, const std::string& members, const std::string& name) { add_members(scene.scene(), members, name); }
 
 Index add_points(NamedScene& scene, const Doubles& positions, const Doubles& masses, const Doubles& velocities, const Doubles& radii,
                  const std::vector<bool>& nailed) {
@@ -195,10 +189,17 @@ std::vector<std::string> save(const NamedScene& scene, const std::string& file) 
 
 NamedScene with_options(const NamedScene& scene, const std::optional<std::string>& integrator, std::optional<std::int64_t> substeps,
                         std::optional<double> frame_rate, std::optional<double> tolerance) {
+  const SteppingOptions options{
+      .integrator = integrator, .substeps = substeps, .frame_rate = frame_rate, .tolerance = tolerance, .settings = {}};
   NamedScene copy = scene;
-  apply_options(copy.loaded,
-                {.integrator = integrator, .substeps = substeps, .frame_rate = frame_rate, .tolerance = tolerance, .settings = {}},
-                copy.name);
+  copy.checked.reset();
+  if (scene.checked && scene.checked->options == options) {
+    set_options(copy.loaded.scene, options, copy.name);
+    copy.loaded.warnings = scene.checked->warnings;
+  } else {
+    apply_options(copy.loaded, options, copy.name);
+    scene.checked = {options, copy.loaded.warnings};
+  }
   return copy;
 }
 
@@ -229,7 +230,18 @@ void check_flat(const System& system, const std::string& name, const std::vector
 }
 
 const Parameter& parameter_of(const char* owner, const std::string& name) {
-  return *parse_item(owner, name, "", [&] { return &parse_parameter(name); });
+  try {
+    return *parse_item(owner, name, "", [&] { return &parse_parameter(name); });
+  } catch (const UsageError& error) {
+    throw UnknownName(error.what());
+  }
+}
+
+Execution execution_of(const Lab& lab, std::int64_t threads, const std::string& precision) {
+  check_option("threads", static_cast<double>(threads), {.min = 1, .max = max_parts});
+  const bool is_single = precision == "single";
+  if (!is_single && precision != "double") throw OptionError("precision", printable(precision, 80), "must be double or single");
+  return make_execution(lab, static_cast<int>(threads), is_single ? Precision::Single : Precision::Double);
 }
 
 SetParameter setting_of(const char* owner, const std::string& name, const std::string& value) {
@@ -243,6 +255,7 @@ py::object value_of(const Scene& scene, const Parameter& parameter) {
     case Parameter::Kind::Switch:
       return py::bool_(value != 0.0);
     case Parameter::Kind::Choice:
+      if (&parameter == &dimensions_parameter) return py::int_(scene.system.dimensions);
       return py::str(std::string(parameter.choices[static_cast<std::size_t>(value)].id));
     case Parameter::Kind::Integer:
       return py::int_(static_cast<long>(value));

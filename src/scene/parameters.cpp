@@ -314,4 +314,15 @@ double clamp_to(const Parameter& parameter, double value) {
   return parameter.kind == Kind::Number ? clamped : std::round(clamped);
 }
 
+void copy_surroundings(const Scene& from, Scene& to) {
+  for (const Parameter& row : rows) {
+    const bool is_of_scene = row.scope == Parameter::Scope::Number || row.scope == Parameter::Scope::Setting;
+    if (!row.field.empty() && is_of_scene && (row.is_given == nullptr || row.is_given(from))) row.write(to, row.read(from));
+  }
+  to.system.gravity = from.system.gravity;
+  to.system.wind = from.system.wind;
+  to.system.contact = from.system.contact;
+  to.settings = from.settings;
+}
+
 }  // namespace hooke

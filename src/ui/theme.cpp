@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "ui/font_files.h"
+
 namespace hooke {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr ImWchar glyphs[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x0400, 0x04ff, 0x
 
 ImFont* load_font(const char* name, double size, double density) {
   ImGuiIO& io = ImGui::GetIO();
-  const std::filesystem::path file = std::filesystem::path("/usr/share/fonts/truetype/dejavu") / name;
+  const std::filesystem::path file = std::filesystem::path(fonts_folder) / name;
   std::error_code error;
   if (std::filesystem::is_regular_file(file, error))
     if (ImFont* font = io.Fonts->AddFontFromFileTTF(file.c_str(), static_cast<float>(size * density), nullptr, glyphs)) return font;

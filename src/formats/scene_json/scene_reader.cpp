@@ -12,6 +12,7 @@
 #include "formats/scene_json/network_reader.h"
 #include "formats/scene_json/scene_sections.h"
 #include "formats/texture.h"
+#include "scene/parameters.h"
 #include "scene/step_advice.h"
 #include "scene/warnings/bending_warning.h"
 #include "scene/warnings/overlap_warning.h"
@@ -26,6 +27,12 @@ class SceneReader {
  public:
   SceneReader(const std::string& text, const std::string& name, const Progress& progress) : text_(text), name_(name), progress_(progress) {}
   LoadedScene read();
+  // Reads an addition to `scene`.
+  void start_from(const Scene& scene) {
+    scene_.system.dimensions = scene.system.dimensions;
+    copy_surroundings(scene, scene_);
+    is_addition_ = true;
+  }
 
  private:
   // Points, springs, faces, generators and colliders are read item by item, because a file of 256 MiB would otherwise become gigabytes of
@@ -59,7 +66,7 @@ class SceneReader {
   SceneFields fields_;
   Scene scene_;
   NetworkReader network_{name_, fields_, scene_.preserved_json};
-  bool has_version_ = false;
+  bool has_version_ = false, is_addition_ = false;
 };
 
 const std::array<SceneReader::List, 7> SceneReader::lists{
@@ -121,6 +128,9 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
     return;
   }
 
+  if (is_addition_)
+    for (const char* other : {"name", "description", "dimensions", "time", "hand", "view", "defaults", "controls", "check", "gallery"})
+      if (key == other) refuse(other, "cannot be added to a scene");
   const JsonField field(name_, key, parser_.parse(text));
   if (field.is("hooke")) {
     if (field.number() > newest_scene_version)
@@ -201,6 +211,18 @@ LoadedScene parse_scene(std::string_view text, const std::string& name, const Pr
   return SceneReader(std::string(text), printable(name), progress).read();
 }
 LoadedScene parse_scene(std::string_view text, const std::string& name) { return parse_scene(text, name, {}); }
+
+Scene parse_members(std::string_view members, const std::string& name, const Scene& scene) {
+  const std::string text = "{\"hooke\": 1, " + std::string(members) + "}";
+  const std::string shown = printable(name);
+  SceneReader reader(text, shown, {});
+  reader.start_from(scene);
+  LoadedScene loaded = reader.read();
+  // here an unknown field is a mistake; in a file it may be of a later version
+  for (const std::string& warning : loaded.warnings)
+    if (const std::size_t end = warning.find(", kept"); end != std::string::npos) throw InputError(warning.substr(0, end));
+  return std::move(loaded.scene);
+}
 
 LoadedScene load_scene(const std::filesystem::path& file, const Progress& progress) { return load_scene_from_copy(file, file, progress); }
 
