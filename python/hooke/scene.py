@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import concurrent.futures
 import contextlib
 import difflib
 import json
@@ -401,8 +402,8 @@ class Scene(Parameterized, Shapes):
         with tempfile.TemporaryDirectory() as scratch:
             folders = [os.path.join(scratch, str(part)) for part in range(parts)]
             jobs = [(self, options, f"{part + 1}/{parts}", folder) for part, folder in enumerate(folders)]
-            with multiprocessing.get_context("spawn").Pool(parts) as pool:
-                pool.map(_sweep_part, jobs)
+            with concurrent.futures.ProcessPoolExecutor(parts, mp_context=multiprocessing.get_context("spawn")) as pool:
+                list(pool.map(_sweep_part, jobs))
             target = os.path.join(scratch, "all") if out is None else out
             return Sweep(*_hooke.merge_sweeps([path("out", folder) for folder in folders], path("out", target)))
 

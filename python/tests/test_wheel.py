@@ -31,7 +31,7 @@ def test_the_wheel_is_installed_used_and_removed(tmp_path):
         return subprocess.run([tmp_path / "venv" / "bin" / words[0], *words[1:]], check=True, capture_output=True, text=True, cwd="/",
                               env=environment).stdout
 
-    run("pip", "install", wheel)
+    run("pip", "install", "--no-deps", "--ignore-installed", wheel)
     program = ("import hooke, importlib.metadata; print(importlib.metadata.version('hooke'), "
                "hooke.load('two_masses').run(0.1, accuracy='off').hash, hooke.__file__)")
     version, hash_of_run, file = run("python", "-c", program).split()

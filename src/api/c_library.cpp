@@ -25,9 +25,15 @@ Value answer(Value failed, Work work) {
   try {
     return work();
   } catch (const std::exception& error) {
-    last_error = error.what();
-    return failed;
+    try {
+      last_error = error.what();
+    } catch (...) {
+      last_error.clear();
+    }
+  } catch (...) {
+    last_error.clear();
   }
+  return failed;
 }
 
 template <class Pointer>

@@ -18,11 +18,10 @@ std::atomic<long> interrupted_at = 0;  // [ms]
 void handle(int signal) {
   using namespace std::chrono;
   const long now = duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
+  long never = 0;
+  interrupted_at.compare_exchange_strong(never, now);
   int none = 0;
-  if (interrupted.compare_exchange_strong(none, signal)) {
-    interrupted_at = now;
-    return;
-  }
+  if (interrupted.compare_exchange_strong(none, signal)) return;
   if (now - interrupted_at < 1000) return;
   ::signal(signal, SIG_DFL);
   raise(signal);
@@ -33,6 +32,8 @@ void handle(int signal) {
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = handle;
+  sigaddset(&action.sa_mask, SIGINT);
+  sigaddset(&action.sa_mask, SIGTERM);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }

@@ -45,7 +45,11 @@ std::string unknown_option(const CLI::App& command, int argc, char** argv) {
     const std::string word = argv[i], name = word.substr(0, word.find('='));
     const bool is_option = word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(static_cast<unsigned char>(word[1])) != 0);
     if (word == "--") break;
-    if (!is_option || command.get_option_no_throw(word[1] == '-' ? name : name.substr(0, 2)) != nullptr) continue;
+    if (!is_option) continue;
+    if (const CLI::Option* known = command.get_option_no_throw(word[1] == '-' ? name : name.substr(0, 2))) {
+      if (known->get_items_expected_max() > 0 && word == name) ++i;  // its value
+      continue;
+    }
     std::string names;
     for (const CLI::Option* option : command.get_options())
       for (const std::string& known : option->get_lnames()) names += (names.empty() ? "--" : ", --") + known;

@@ -64,7 +64,8 @@ int replay(const ReplayOptions& options) {
   const bool is_same = lab.difference().empty();
   if (options.junit) {
     OutputFile file(*options.junit);
-    file.write(format_junit("hooke replay", {{.group = options.log, .name = "every frame as recorded", .failure = lab.difference()}}));
+    file.write(
+        format_junit("hooke replay", {{.group = printable(options.log), .name = "every frame as recorded", .failure = lab.difference()}}));
     file.close();
   }
   if (!options.quiet && !options.output.writes_to_stdout() && options.junit != "-")
