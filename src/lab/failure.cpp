@@ -34,6 +34,7 @@ bool Failure::is_step_mended(const Scene& scene, const Plan& plan) const {
 }
 
 void Failure::add_frame(const Scene& scene, double energy) {
+  divergence_.reset();
   constexpr double explained_fraction = 0.02;
   const EnergySupply& supply = scene.state.supply;
   if (energy - supply.net_input <= explained_fraction * supply.scale) explained_until_ = scene.state.time;

@@ -42,7 +42,8 @@ void Lab::submit(Control control, Gesture gesture) { queue_.emplace_back(std::mo
 // Brings the Plan and the energy up to date, and discards the frame in progress unless the edit does not affect it.
 void Lab::update_plan(Effect effect) {
   if (!effect.invalidates_frame()) return;
-  drop_frame();
+  // the plan is made again where the structure changes
+  drop_frame(!effect.structure);
   frame_.expect_change();
   companions_.restart();
   if (effect.structure) {
@@ -55,8 +56,8 @@ void Lab::update_plan(Effect effect) {
 }
 
 // Discards the frame in progress, and restores the springs that it broke.
-void Lab::drop_frame() {
-  if (progress_.in_frame && !frame_.broken().empty()) refresh_values(plan_, scene_.system);
+void Lab::drop_frame(bool restores_springs) {
+  if (restores_springs && progress_.in_frame && !frame_.broken().empty()) refresh_values(plan_, scene_.system);
   progress_.in_frame = false;
   record_held_edits();
 }
