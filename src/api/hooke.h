@@ -133,7 +133,7 @@ class HOOKE_PUBLIC Simulation {
   std::span<const double> positions() const;   // [m]
   std::span<const double> velocities() const;  // [m/s]
 
-  // Of the network now: springs break and are removed with their points.
+  // The network as it is now: springs may have broken.
   std::int64_t point_count() const;
   std::vector<std::int64_t> springs() const;  // the two points of every spring
   std::vector<std::int64_t> faces() const;    // the three points of every triangle of a surface

@@ -62,17 +62,16 @@ std::vector<double> Simulation::reactions() const {
 std::vector<Collider> Simulation::colliders() const {
   std::vector<Collider> all;
   for (std::size_t i = 0; i < data().system().colliders.size(); ++i)
-    all.push_back(std::visit(
-        Overloaded{[](const Plane& plane) {
-                     return Collider{Collider::Kind::Plane, to_vector(plane.point), to_vector(plane.normal), 0.0};
-                   },
-                   [](const Sphere& sphere) {
-                     return Collider{Collider::Kind::Sphere, to_vector(sphere.center), {}, sphere.radius};
-                   },
-                   [](const Box& box) {
-                     return Collider{Collider::Kind::Box, to_vector(box.min), to_vector(box.max), 0.0};
-                   }},
-        current_collider(data().system(), data().lab.scene().state, i).shape));
+    all.push_back(std::visit(Overloaded{[](const Plane& plane) {
+                                          return Collider{Collider::Kind::Plane, to_vector(plane.point), to_vector(plane.normal), 0.0};
+                                        },
+                                        [](const Sphere& sphere) {
+                                          return Collider{Collider::Kind::Sphere, to_vector(sphere.center), {}, sphere.radius};
+                                        },
+                                        [](const Box& box) {
+                                          return Collider{Collider::Kind::Box, to_vector(box.min), to_vector(box.max), 0.0};
+                                        }},
+                             current_collider(data().system(), data().lab.scene().state, i).shape));
   return all;
 }
 

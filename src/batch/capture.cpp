@@ -62,7 +62,7 @@ class FrameCapture {
     writer_->add(view_.read(), number);
   }
   std::string file_name(long number) const { return destination_.file(number).filename().string(); }
-  // Of a frame after the picture before this one, in messages: by the file that shows it, or is the next one to be drawn.
+  // The name of a frame in messages: the picture that shows it, or "before" the next picture.
   std::string name_of(const CaptureSchedule& schedule, long picture, long frame) const {
     if (destination_.kind != Destination::Kind::Folder) return "frame " + std::to_string(frame);
     return (frame == schedule.frame_of(picture) ? "" : "before ") + file_name(picture);

@@ -36,7 +36,7 @@ std::string ids_of_adaptive_integrators();
 // Applies the options to a scene that was loaded from `name`. Throws UsageError, InputError.
 void set_options(Scene& scene, const SteppingOptions& options, const std::string& name);
 
-// The same to a scene that was loaded from `name`, and replaces the warning about its step. Throws UsageError, InputError.
+// Sets the options of a scene loaded from `name`, and replaces the warning about its step. Throws UsageError, InputError.
 void apply_options(LoadedScene& loaded, const SteppingOptions& options, const std::string& name);
 
 // On `threads` threads; in single precision, which throws UsageError where double is needed.

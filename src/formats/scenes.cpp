@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of the installation, wherever it was moved, or of the build folder that contains the library or program; else the configured folder.
+// The folder of the shipped scenes: beside the installed or built program or library, wherever it was moved; else the configured one.
 fs::path find_folder() {
   std::error_code error;
   const fs::path library = own_library(), beside = library.empty() ? fs::read_symlink("/proc/self/exe", error) : library;

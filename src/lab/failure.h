@@ -16,7 +16,8 @@ namespace hooke {
 
 class Failure {
  public:
-  void restart(double time);  // of the scene [s]
+  // Forgets everything at the start of a run, at a time of the scene [s].
+  void restart(double time);
 
   // Whether the last frame diverged and nothing has resolved it since.
   bool is_known() const { return divergence_.has_value(); }
@@ -27,7 +28,7 @@ class Failure {
   // Whether the step was beyond the limit of the method and, after an edit, no longer is.
   bool is_step_mended(const Scene& scene, const Plan& plan) const;
 
-  // A frame is done: whether its energy was supplied to the scene decides what a later failure may be due to.
+  // A frame did not diverge: whether its energy was supplied to the scene decides what a later failure may be due to.
   void add_frame(const Scene& scene, double energy);
   // `before`: the value that the command sets, before it was applied. The commands of one drag are one change.
   void add_change(const Command& command, const std::string& before, const std::vector<Command>& inverse, Gesture gesture,
@@ -45,10 +46,10 @@ class Failure {
     double time = 0.0;
   };
 
-  std::optional<Divergence> divergence_;  // of the last frame, until it is resolved
+  std::optional<Divergence> divergence_;  // why the last frame failed, until an edit or a good frame resolves it
   bool was_unstable_ = false;             // its step was beyond the limit of the method
   std::shared_ptr<const State> before_;   // a recorded state from before the energy grew; null: none
-  std::shared_ptr<const Scene> start_;    // of the run that diverged, with the edits since then; null: not computed
+  std::shared_ptr<const Scene> start_;    // the start of the failed run, with later edits applied; null: not computed
   long start_edits_ = 0;                  // the number of edits in it
   std::vector<RecordedChange> changes_;   // since the energy was last explained, oldest first
   double explained_until_ = 0.0;          // [s], the last frame whose energy was supplied to the scene

@@ -12,9 +12,9 @@
 
 #include "edit/command.h"
 #include "edit/history.h"
-#include "lab/accuracy/accuracy_meter.h"
 #include "lab/failure.h"
 #include "lab/frame_history.h"
+#include "lab/lab_parts.h"
 #include "lab/playback.h"
 #include "lab/recorder.h"
 #include "lab/run_clock.h"
@@ -140,37 +140,6 @@ class Lab {
   const FrameRunner& last_frame() const { return frame_; }
 
  private:
-  // The frame that is being computed.
-  struct Progress {
-    bool in_frame = false;
-    bool must_finish = false;         // an edit discarded the previous frame
-    std::vector<Command> held_edits;  // applied while a frame that they do not affect is in progress; recorded after it
-    State end;                        // result of the frame
-  };
-  struct Measuring {
-    AccuracyMeter meter;
-    bool at_once = false;  // the accuracy of a frame, before the next one
-    double cpu_seconds = 0.0;
-  };
-  struct Drag {
-    Gesture grab = 0;                     // of the last grab: tears during it are undone with it
-    Gesture gesture = 0;                  // of the last drag in a run
-    std::shared_ptr<const State> before;  // the state before it; null: none
-    double lag = 0.0;                     // [m], of the hand behind its target
-  };
-  struct Tallies {
-    long frames = 0, edits = 0;
-    double limit_work = 0.0, last_limit_work = 0.0;  // [J], of the strain limit since the start, and in the last frame
-    std::vector<double> gas_releases;
-  };
-  // Copies for readers; null: none yet.
-  struct Published {
-    std::shared_ptr<const System> system;
-    std::shared_ptr<const DocumentStatus> document;
-    std::uint64_t system_revision = 0, document_revision = 0;
-    std::shared_ptr<const Status> status;
-  };
-
   void apply_queue();
   void check_divergence();
   void resolve_divergence();
@@ -227,16 +196,16 @@ class Lab {
   Recorder recorder_;
   Playback playback_;
   RunClock clock_;
-  Measuring measuring_;
+  Metering measuring_;
   Companions companions_;
   Plan plan_;
   FrameRunner frame_;
-  Progress progress_;
+  FrameProgress progress_;
   Energy energy_;  // of the scene
   Failure failure_;
-  Drag drag_;
-  Tallies tallies_;
-  Published published_;
+  DragState drag_;
+  RunTallies tallies_;
+  PublishedCopies published_;
 };
 
 }  // namespace hooke

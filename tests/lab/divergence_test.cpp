@@ -114,6 +114,8 @@ TEST(Divergence, ANetworkThatIsTooLargeForTheMethodStopsTheRunWithAReason) {
 
   lab.submit(SetIntegrator{find_integrator("symplectic_euler")});
   EXPECT_TRUE(lab.step());
+  lab.publish();
+  EXPECT_EQ(lab.status()->diagnosis.message, "") << "a good frame ends the diagnosis";
 }
 
 }  // namespace

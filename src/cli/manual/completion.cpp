@@ -51,7 +51,7 @@ struct Values {
   bool are_files = false;
 };
 
-// Of an option that takes a value.
+// What completes the value of an option.
 Values values_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   if (option.check_name("--integrator") || option.check_name("--methods")) return {methods()};
