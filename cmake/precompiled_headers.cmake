@@ -35,14 +35,17 @@ endfunction()
 
 # Unity builds: several sources are compiled as one, so that what they have in common, such as the templates of the commands, is compiled
 # once. That shortens a fresh build, but a change of one source compiles those joined with it again.
-# join_sources(TARGET SOURCES source... SEPARATE prefix...): joins the sources of the target, except those whose path begins with one of these
-# prefixes: they define names in anonymous namespaces that others of the target define too.
+# join_sources(TARGET [BATCH count] SOURCES source... SEPARATE prefix...): joins the sources of the target, all of them or so many at a time,
+# except those whose path begins with one of these prefixes: they define names in anonymous namespaces that others of the target define too.
 function(join_sources target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;SEPARATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "BATCH" "SOURCES;SEPARATE")
   if(NOT HOOKE_UNITY_BUILD)
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  if(NOT arg_BATCH)
+    set(arg_BATCH 0)
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${arg_BATCH})
   foreach(prefix IN LISTS arg_SEPARATE)
     foreach(source IN LISTS arg_SOURCES)
       if(source MATCHES "^(sim/)?[a-z_]+/${prefix}")

@@ -1,4 +1,5 @@
 #include "base/atomic_write.h"
+#include "base/descriptor.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -38,16 +39,6 @@ std::string new_temporary_name() {
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
   return std::string(prefix) + text;
 }
-
-struct Descriptor {
-  int number;
-  explicit Descriptor(int opened) : number(opened) {}
-  ~Descriptor() {
-    if (number >= 0) close(number);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-};
 
 // A temporary file in a folder, removed unless it was renamed. It is locked as long as the object lives.
 class Temporary {

@@ -29,6 +29,12 @@ std::size_t bytes_in(const std::shared_ptr<const Scene>& scene) {
 
 }  // namespace
 
+Command::Command(const Command&) = default;
+Command::Command(Command&&) noexcept = default;
+Command& Command::operator=(const Command&) = default;
+Command& Command::operator=(Command&&) noexcept = default;
+Command::~Command() = default;
+
 std::string describe(const Command& command) {
   return std::visit([](const auto& each) { return each.describe(); }, command);
 }

@@ -21,9 +21,14 @@ using CommandVariant =
                  SetParameter, RestoreParameter, SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity, SetColliders,
                  SetForces, SetText, SetPlots, SetTexture, GoToState, SetTorn, MarkTorn, Replace>;
 
-// A class, not an alias, so that the commands can name it in the type of their inverse.
+// A class, not an alias, so that the commands can name it in the type of their inverse. Copies are compiled once, in command.cpp.
 struct Command : CommandVariant {
   using CommandVariant::CommandVariant;
+  Command(const Command&);
+  Command(Command&&) noexcept;
+  Command& operator=(const Command&);
+  Command& operator=(Command&&) noexcept;
+  ~Command();
 };
 
 // The name in the history: "nail 3 points".

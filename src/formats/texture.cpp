@@ -12,18 +12,18 @@
 namespace hooke {
 namespace {
 
-constexpr std::array rows{
+constexpr std::array texture_rows{
     ShippedTexture{"checker", "Checker", 0.25},
     ShippedTexture{"linen", "Linen", 0.16},
     ShippedTexture{"tartan", "Tartan", 0.36},
 };
 
 const ShippedTexture* find_shipped(std::string_view texture) {
-  const auto row = std::ranges::find(rows, texture, &ShippedTexture::id);
-  return row == rows.end() ? nullptr : &*row;
+  const auto row = std::ranges::find(texture_rows, texture, &ShippedTexture::id);
+  return row == texture_rows.end() ? nullptr : &*row;
 }
 
-bool is_png(std::string_view texture) {
+bool is_png_file(std::string_view texture) {
   constexpr std::string_view ending = ".png";
   return texture.size() > ending.size() && std::equal(ending.rbegin(), ending.rend(), texture.rbegin(), [](char a, char b) {
            return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b - 'A' + 'a') : b);
@@ -91,14 +91,14 @@ double width_of_coordinates(const ClothTexture& cloth_texture) {
 
 }  // namespace
 
-std::span<const ShippedTexture> shipped_textures() { return rows; }
+std::span<const ShippedTexture> shipped_textures() { return texture_rows; }
 bool is_shipped_texture(std::string_view id) { return find_shipped(id) != nullptr; }
 
 std::string texture_limit(std::string_view texture) {
   if (texture.empty() || find_shipped(texture) != nullptr) return {};
-  if (!is_png(texture)) {
+  if (!is_png_file(texture)) {
     std::string ids;
-    for (const ShippedTexture& row : rows) ids += std::string(row.id) + ", ";
+    for (const ShippedTexture& row : texture_rows) ids += std::string(row.id) + ", ";
     return "must be " + ids + "or a .png in the folder of the scene";
   }
   const std::filesystem::path path = std::filesystem::path(texture).lexically_normal();

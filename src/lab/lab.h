@@ -3,7 +3,6 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -12,6 +11,8 @@
 
 #include "edit/command.h"
 #include "edit/history.h"
+#include "lab/companions.h"
+#include "lab/controls.h"
 #include "lab/failure.h"
 #include "lab/frame_history.h"
 #include "lab/lab_parts.h"
@@ -23,50 +24,6 @@
 #include "sim/control/frame_runner.h"
 
 namespace hooke {
-
-// Requests to the laboratory itself; queued with the commands, in order.
-struct Undo {};
-struct Redo {};
-struct GoToHistoryStep {  // undoes or redoes until `done` steps are in effect
-  std::size_t done;
-};
-struct SetRunning {
-  bool running;
-};
-struct StepOnce {};  // one frame, while paused
-struct RunTo {       // as fast as possible, until the scene's clock reaches `time`
-  double time;
-};
-struct StepBack {};  // to the previous recorded state; pauses
-struct GoToTime {    // to the last recorded state at this time or before; pauses
-  double time;
-};
-struct Watch {  // sets the quantities measured in every frame, for the plots
-  std::vector<Quantity> quantities;
-};
-struct SetAccuracy {  // what is measured of the accuracy of the run
-  AccuracyMode mode;
-};
-struct SetCompanions {  // runs beside the run, from its present state on; empty: none
-  std::vector<Companion> companions;
-};
-struct GoToStart {};        // positions, velocities, tears and time of the start; edits of structure and parameters stay
-struct SetStart {};         // the current state becomes the start
-struct ResetParameters {};  // parameters, method and forces as they were when the document was opened
-struct ReleaseNails {};     // all of them, until the scene goes back to its start
-struct Open {               // another document, with an empty history
-  std::shared_ptr<const Scene> scene;
-  bool unsaved = false;  // it contains unsaved changes
-};
-struct MarkSaved {};
-struct Record {                                       // starts a recording; an earlier one ends
-  std::shared_ptr<const std::filesystem::path> file;  // null: only ends it
-};
-struct Play {  // opens the start of a recording and replays it, until its end or the next edit
-  std::shared_ptr<const Recording> recording;
-};
-using Control = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, SetAccuracy,
-                             SetCompanions, GoToStart, SetStart, ResetParameters, ReleaseNails, Open, MarkSaved, Record, Play>;
 
 // Whether a copy of the opened scene is kept for GoToStart. A long run of a large scene does not need one; its accuracy is measured only
 // on demand, and then at once, also while a recording is played.

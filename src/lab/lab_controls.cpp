@@ -9,6 +9,12 @@
 
 namespace hooke {
 
+Control::Control(const Control&) = default;
+Control::Control(Control&&) noexcept = default;
+Control& Control::operator=(const Control&) = default;
+Control& Control::operator=(Control&&) noexcept = default;
+Control::~Control() = default;
+
 void Lab::open(std::shared_ptr<const Scene> scene) {
   start_.set(scene);
   scene_ = *scene;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/threads/thread_team.h"
+#include "lab/lab.h"
 
 namespace hooke {
 namespace {
@@ -18,16 +19,16 @@ constexpr auto max_publish_interval = std::chrono::milliseconds(50);
 constexpr auto idle_margin = std::chrono::milliseconds(1);
 
 // On all cores but the one of the window.
-Lab lab_on_other_cores(Scene scene) {
-  Lab lab(std::move(scene));
+std::unique_ptr<Lab> lab_on_other_cores(Scene scene) {
+  auto lab = std::make_unique<Lab>(std::move(scene));
   if (const int threads = static_cast<int>(std::thread::hardware_concurrency()) - 1; threads > 1)
-    lab.set_execution({.team = std::make_shared<ThreadTeam>(threads)});
+    lab->set_execution({.team = std::make_shared<ThreadTeam>(threads)});
   return lab;
 }
 
 }  // namespace
 
-LabThread::LabThread(Scene scene) : lab_(lab_on_other_cores(std::move(scene))), status_(lab_.status()), thread_([this] { work(); }) {}
+LabThread::LabThread(Scene scene) : lab_(lab_on_other_cores(std::move(scene))), status_(lab_->status()), thread_([this] { work(); }) {}
 
 LabThread::~LabThread() {
   {
@@ -103,7 +104,7 @@ void LabThread::work() {
       const auto has_work = [this] { return stopping_ || !tasks_.empty(); };
       if (status_->run.running)
         posted_.wait_until(lock, due, has_work);
-      else if (!lab_.has_accuracy_to_measure() && !lab_.has_companions_to_compute())
+      else if (!lab_->has_accuracy_to_measure() && !lab_->has_companions_to_compute())
         posted_.wait(lock, has_work);
       if (stopping_) return;
       tasks = std::exchange(tasks_, {});
@@ -112,29 +113,29 @@ void LabThread::work() {
 
     // paused time does not count
     const auto now = Clock::now();
-    const double elapsed = lab_.status()->run.running ? std::chrono::duration<double>(now - last).count() : 0.0;
+    const double elapsed = lab_->status()->run.running ? std::chrono::duration<double>(now - last).count() : 0.0;
     last = now;
-    for (const Task& task : tasks) task(lab_);
+    for (const Task& task : tasks) task(*lab_);
     // An edit is shown before anything is computed, for a substep of a large net takes long. If others follow at once, a substep is
     // computed before each of them.
-    showed = is_urgent && !showed && !lab_.must_wait_for_frame();
+    showed = is_urgent && !showed && !lab_->must_wait_for_frame();
     if (showed)
-      lab_.show_edits(elapsed);
+      lab_->show_edits(elapsed);
     else
-      lab_.advance(elapsed, [&] { return !stopping_ && !urgent_ && !is_urgent && Clock::now() - now < max_publish_interval; });
+      lab_->advance(elapsed, [&] { return !stopping_ && !urgent_ && !is_urgent && Clock::now() - now < max_publish_interval; });
 
     {
       const std::lock_guard lock(mutex_);
-      status_ = lab_.status();
+      status_ = lab_->status();
       taken_count += static_cast<long>(tasks.size());
-      if (!lab_.has_pending()) published_count_ = taken_count;
+      if (!lab_->has_pending()) published_count_ = taken_count;
     }
     published_.notify_all();
 
     // the time that is left belongs to the measurement of the accuracy
-    due = now + std::chrono::duration_cast<Clock::duration>(lab_.time_to_next_frame());
-    const auto until = lab_.status()->run.running ? due : now + max_publish_interval;
-    lab_.measure_accuracy([&] { return !stopping_ && !urgent_ && Clock::now() + idle_margin < until; });
+    due = now + std::chrono::duration_cast<Clock::duration>(lab_->time_to_next_frame());
+    const auto until = lab_->status()->run.running ? due : now + max_publish_interval;
+    lab_->measure_accuracy([&] { return !stopping_ && !urgent_ && Clock::now() + idle_margin < until; });
   }
 }
 

@@ -12,9 +12,14 @@
 #include <thread>
 #include <vector>
 
-#include "lab/lab.h"
+#include "edit/command.h"
+#include "edit/history.h"
+#include "lab/controls.h"
+#include "lab/status.h"
 
 namespace hooke {
+
+class Lab;
 
 // All functions may be called from any one thread, usually that of the window.
 class LabThread {
@@ -46,7 +51,7 @@ class LabThread {
   void post(Task task, bool urgent);
   void work();
 
-  Lab lab_;
+  std::unique_ptr<Lab> lab_;
   mutable std::mutex mutex_;
   std::condition_variable posted_;
   std::vector<Task> tasks_;               // guarded by mutex_

@@ -5,19 +5,19 @@
 namespace hooke {
 namespace {
 
-std::size_t size_of(const State& state) { return sizeof(State) + (state.position.size() + state.velocity.size()) * sizeof(Vec3); }
+std::size_t bytes_of(const State& state) { return sizeof(State) + (state.position.size() + state.velocity.size()) * sizeof(Vec3); }
 
 }  // namespace
 
 void Timeline::record(const State& state, bool continues) {
   while (!empty() && last_time() >= state.time) drop(true);
   states_.push_back({std::make_shared<const State>(state), continues});
-  bytes_ += size_of(state);
+  bytes_ += bytes_of(state);
   while (count() > 1 && (count() > max_states || bytes_ > max_bytes)) drop(false);
 }
 
 void Timeline::drop(bool newest) {
-  bytes_ -= size_of(*(newest ? states_.back() : states_.front()).state);
+  bytes_ -= bytes_of(*(newest ? states_.back() : states_.front()).state);
   newest ? states_.pop_back() : states_.pop_front();
 }
 

@@ -6,6 +6,12 @@
 
 namespace hooke {
 
+Request::Request(const Request&) = default;
+Request::Request(Request&&) noexcept = default;
+Request& Request::operator=(const Request&) = default;
+Request& Request::operator=(Request&&) noexcept = default;
+Request::~Request() = default;
+
 void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
   use_look(panels.look);
   // the keyboard moves the focus only where keys are not shortcuts

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "formats/import_options.h"
-#include "lab/lab.h"
+#include "lab/controls.h"
 #include "scene/collider_kinds.h"
 #include "scene/shape.h"
 #include "ui/actions.h"
@@ -99,9 +99,19 @@ enum class Answer {
   KeepMine,   // keep the scene as it is
 };
 
-using Request = std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, OpenSystemDialog, LookFrom, Recover,
-                             DiscardRecovery, CancelWork, StopComparison, StopResultCheck, ExplainStretch, SaveComparison, SetGhosts,
-                             ShowFailure, StartExport, StopExport, StartPlacement, CloseDialog, LoadMesh, Place, StopPlacement, Answer>;
+using RequestVariant =
+    std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, OpenSystemDialog, LookFrom, Recover, DiscardRecovery,
+                 CancelWork, StopComparison, StopResultCheck, ExplainStretch, SaveComparison, SetGhosts, ShowFailure, StartExport,
+                 StopExport, StartPlacement, CloseDialog, LoadMesh, Place, StopPlacement, Answer>;
+// Copies are compiled once, in panels.cpp.
+struct Request : RequestVariant {
+  using RequestVariant::RequestVariant;
+  Request(const Request&);
+  Request(Request&&) noexcept;
+  Request& operator=(const Request&);
+  Request& operator=(Request&&) noexcept;
+  ~Request();
+};
 using Requests = std::vector<Request>;
 
 }  // namespace hooke

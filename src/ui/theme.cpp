@@ -37,11 +37,11 @@ ImFont* load_font(const char* name, double size, double density) {
 }
 
 // The colors of both themes by their use; text has the contrast of WCAG AA on the panel background.
-struct Row {
+struct ColorRow {
   ImU32& color;
   ImU32 dark, light;
 };
-const Row rows[] = {
+const ColorRow color_rows[] = {
     {palette::panel, IM_COL32(0x1a, 0x1d, 0x22, 255), IM_COL32(0xf3, 0xf4, 0xf6, 255)},
     {palette::raised, IM_COL32(0x26, 0x2b, 0x32, 255), IM_COL32(0xe2, 0xe5, 0xe9, 255)},
     {palette::hovered, IM_COL32(0x31, 0x38, 0x41, 255), IM_COL32(0xd3, 0xd8, 0xde, 255)},
@@ -109,7 +109,7 @@ void set_colors(ImVec4* colors) {
 }  // namespace
 
 void use_look(Look look) {
-  for (const Row& row : rows) row.color = look == Look::Dark ? row.dark : row.light;
+  for (const ColorRow& row : color_rows) row.color = look == Look::Dark ? row.dark : row.light;
   set_colors(ImGui::GetStyle().Colors);
 }
 

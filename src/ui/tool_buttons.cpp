@@ -5,7 +5,7 @@
 namespace hooke {
 namespace {
 
-constexpr std::array rows{
+constexpr std::array button_rows{
 #define TOOL(id, keys, icon, name, text, make) ToolButton{Action::id, Icon::icon, name},
 #define ACTION(...)
 #include "ui/actions.inc"
@@ -13,6 +13,6 @@ constexpr std::array rows{
 
 }  // namespace
 
-std::span<const ToolButton> tool_buttons() { return rows; }
+std::span<const ToolButton> tool_buttons() { return button_rows; }
 
 }  // namespace hooke

@@ -7,7 +7,7 @@
 //   --costs COSTS          writes the seconds of each hash to the file COSTS, or, if it exists, computes the cheapest first
 //   --from N               without the first N
 //   --seconds S            ends after S seconds; what is left is compared by the next run, with --from
-// HOOKE_VECTORS limits the vector unit, by its name in Highway (SSE4, AVX2, ...; SCALAR: none).
+// HOOKE_VECTORS limits the vector unit, by its name in Highway (SSE2, AVX2, ...; SCALAR: none).
 
 #include <hwy/targets.h>
 

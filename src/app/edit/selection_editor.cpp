@@ -8,7 +8,7 @@ namespace hooke {
 namespace {
 
 // The text of a larger part would take too long to write and parse.
-constexpr Index max_points = 50000;
+constexpr Index max_copied_points = 50000;
 // Offset of a duplicate from the original [design units].
 constexpr double duplicate_offset = 28.0;
 
@@ -25,9 +25,9 @@ Scene SelectionEditor::selected_part() const {
 void SelectionEditor::copy(AfterCopy after_copy) {
   auto part = std::make_shared<const Scene>(selected_part());
   if (part->system.points().empty()) return panels_.show_toast("Nothing is selected");
-  if (part->system.point_count() > max_points)
+  if (part->system.point_count() > max_copied_points)
     return panels_.show_toast("Too large for the clipboard: " + count(part->system.point_count(), "point") + ", the limit is " +
-                              std::to_string(max_points));
+                              std::to_string(max_copied_points));
   task_.start("Copying " + count_of(*part), [this, part, after_copy](const Progress& progress) -> BackgroundTask::Completion {
     try {
       return [this, part, after_copy, text = format_scene(*part, progress)] {

@@ -5,7 +5,7 @@
 namespace hooke {
 namespace {
 
-constexpr std::array rows{
+constexpr std::array tool_rows{
 #define TOOL(id, keys, icon, name, text, make) ToolRow{Action::id, make},
 #define ACTION(...)
 #include "ui/actions.inc"
@@ -13,6 +13,6 @@ constexpr std::array rows{
 
 }  // namespace
 
-std::span<const ToolRow> tools() { return rows; }
+std::span<const ToolRow> tools() { return tool_rows; }
 
 }  // namespace hooke

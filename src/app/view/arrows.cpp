@@ -9,7 +9,7 @@
 namespace hooke {
 namespace {
 
-constexpr Index max_points = 20'000;  // more arrows would cover the scene, and their forces would delay the window
+constexpr Index max_arrow_points = 20'000;  // more arrows would cover the scene, and their forces would delay the window
 
 }  // namespace
 
@@ -17,7 +17,7 @@ double velocity_arrow_seconds(double view_height) { return round_below(0.1 * std
 
 std::optional<Arrows> ForceArrows::at(const Snapshot& snapshot, double longest) {
   const System& system = *snapshot.system;
-  if (system.point_count() == 0 || system.point_count() > max_points) return std::nullopt;
+  if (system.point_count() == 0 || system.point_count() > max_arrow_points) return std::nullopt;
   if (system_ != snapshot.system) {
     plan_ = make_plan(system, Numbering::AsListed);
     system_ = snapshot.system;
@@ -43,7 +43,7 @@ std::optional<Arrows> ForceArrows::at(const Snapshot& snapshot, double longest) 
 
 std::vector<Arrows> make_arrows(const Snapshot& snapshot, const ViewOptions& options, double view_height, ForceArrows& forces) {
   std::vector<Arrows> all;
-  if (options.velocities && snapshot.system->point_count() <= max_points) {
+  if (options.velocities && snapshot.system->point_count() <= max_arrow_points) {
     Arrows arrows{.kind = Arrows::Kind::Velocity, .scale = velocity_arrow_seconds(view_height), .lines = {}};
     for (std::size_t i = 0; i < snapshot.state.position.size(); ++i) {
       const Vec3& from = snapshot.state.position[i];

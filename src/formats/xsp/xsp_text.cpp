@@ -17,7 +17,7 @@ namespace hooke {
 namespace {
 
 constexpr std::string_view header = "#1.0";
-constexpr std::size_t max_quoted_bytes = 40;  // bytes of an invalid value in a message
+constexpr std::size_t max_quoted = 40;  // bytes of an invalid value in a message
 constexpr std::size_t max_forces = 1000;
 
 // The range of an argument of a command.
@@ -140,7 +140,7 @@ class Reader {
     TextLines lines(text);
     std::string_view line;
     if (!lines.next(line) || line.substr(0, header.size()) != header)
-      throw InputError(line_location(file_, 1) + ": \"" + printable(line, max_quoted_bytes) + "\": must begin with " + std::string(header));
+      throw InputError(line_location(file_, 1) + ": \"" + printable(line, max_quoted) + "\": must begin with " + std::string(header));
     while (lines.next(line)) {
       line_ = lines.number();
       read_line(line);
@@ -158,7 +158,7 @@ class Reader {
     if (name.empty() || name[0] == '#') return;
     const auto statement = std::find_if(statements().begin(), statements().end(), [&](const Statement& row) { return row.name == name; });
     if (statement == statements().end()) {
-      unknown_.push_back("line " + std::to_string(line_) + ": " + printable(name, max_quoted_bytes) + ": is not a command, kept");
+      unknown_.push_back("line " + std::to_string(line_) + ": " + printable(name, max_quoted) + ": is not a command, kept");
       document_.unknown.push_back(printable(whole_line));
       return;
     }
@@ -168,7 +168,7 @@ class Reader {
     std::size_t count = 0;
     for (const Argument& argument : statement->arguments) numbers[count++] = read_number(next_token(line), *statement, argument);
     const std::string_view more = next_token(line);
-    if (!more.empty()) refuse(line_, std::string(name) + ": \"" + printable(more, max_quoted_bytes) + "\"", "is a surplus value");
+    if (!more.empty()) refuse(line_, std::string(name) + ": \"" + printable(more, max_quoted) + "\"", "is a surplus value");
 
     record_repetition(*statement, numbers[0]);
     statement->apply(document_, {line_, {numbers.data(), count}});
@@ -185,7 +185,7 @@ class Reader {
     const bool is_named_force =
         name == "frce" && !first.empty() && !parse_number(first) && std::isalpha(static_cast<unsigned char>(first[0]));
     if (is_named_force || (name == "mass" && words == 5))
-      refuse(line_, std::string(name) + (is_named_force ? " " + printable(first, max_quoted_bytes) : ""),
+      refuse(line_, std::string(name) + (is_named_force ? " " + printable(first, max_quoted) : ""),
              "is the dialect of GoSpringies: must be a file of XSpringies");
   }
 
@@ -194,7 +194,7 @@ class Reader {
     if (value && is_in_range(argument.range, *value)) return *value;
     const std::string what = std::string(statement.name) + ": " + std::string(argument.name);
     if (word.empty()) refuse(line_, what, "is missing");
-    refuse(line_, what + ": \"" + printable(word, max_quoted_bytes) + "\"", text_of(value ? argument.range : Range::Any));
+    refuse(line_, what + ": \"" + printable(word, max_quoted) + "\"", text_of(value ? argument.range : Range::Any));
   }
 
   void record_repetition(const Statement& statement, double id) {

@@ -5,18 +5,13 @@
 
 #include <vector>
 
+#include "lab/accuracy/accuracy_mode.h"
 #include "lab/accuracy/energy_accounts.h"
 #include "lab/accuracy/frame_repetition.h"
 #include "lab/accuracy/second_runs.h"
 #include "sim/model/accuracy.h"
 
 namespace hooke {
-
-enum class AccuracyMode {
-  Off,
-  Frame,  // the error of a frame, a tenth of the cost of the run, and the energy balance, half of it where there are dashpots
-  Full,   // and the second runs: about two and a half times the cost of the run
-};
 
 // What has happened in a run since its start.
 struct RunEvents {

@@ -48,7 +48,7 @@ struct Trial {
 struct BudgetIsSpent {};
 
 // Of a remedy, relative to the energy supplied: less than what counts as a divergence, but no motion that anyone wants.
-constexpr double max_rise = 1.0;
+constexpr double max_energy_rise = 1.0;
 
 // Of the work of a search: to repeat the divergence and to find its cause.
 constexpr double share_of_diagnosis = 0.25;
@@ -73,7 +73,7 @@ Trial run_copy(Scene scene, double seconds, Budget& budget) {
     trial.seconds = end == Trial::End::Finished ? seconds : lab.scene().state.time - start;
     trial.warnings = monitor.warnings({});
     trial.work = given - budget.left;
-    trial.gains = !(monitor.energy_rise() <= max_rise);
+    trial.gains = !(monitor.energy_rise() <= max_energy_rise);
     return trial;
   };
   try {

@@ -6,7 +6,7 @@
 namespace hooke {
 namespace {
 
-constexpr double height = 180.0;  // [design units]
+constexpr double list_height = 180.0;  // [design units]
 
 std::string sentence(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
@@ -23,7 +23,7 @@ void build_history(const PanelInput& input, Requests& requests) {
   const std::string remark = history.names.empty() ? "" : std::to_string(history.done) + " of " + std::to_string(history.names.size());
   if (!section("History", remark, false)) return;
 
-  ImGui::BeginChild("steps", {0.0f, units(height)});
+  ImGui::BeginChild("steps", {0.0f, units(list_height)});
   ImGui::PushStyleColor(ImGuiCol_Header, palette::tinted);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(history.names.size()) + 1);

@@ -19,7 +19,7 @@
 namespace hooke {
 namespace {
 
-void edit(Command command, Panels& panels, Requests& requests) {
+void edit_by_drag(Command command, Panels& panels, Requests& requests) {
   requests.emplace_back(Edit{std::move(command), panels.edit_in_progress});
   panels.edit_in_progress = true;
 }
@@ -57,15 +57,15 @@ void change(const Parameter& row, const NumberChange& change, const CommonValue&
   if (scales) {
     if (!continues) panels.tuned_from = now;
     if (auto scaled = scaled_values(row, *panels.tuned_from, *now, sheet, affected, change.value))
-      return edit(*std::move(scaled), panels, requests);
+      return edit_by_drag(*std::move(scaled), panels, requests);
   }
   const bool is_stiffness = row.scope == Parameter::Scope::SpringStiffness, is_damping = row.scope == Parameter::Scope::SpringDamping;
-  if (affected.all || (!is_stiffness && !is_damping)) return edit(SetParameter{&row, change.value}, panels, requests);
+  if (affected.all || (!is_stiffness && !is_damping)) return edit_by_drag(SetParameter{&row, change.value}, panels, requests);
   SetSpringProperty set{is_stiffness ? SpringProperty::Stiffness : SpringProperty::Damping, {}};
   for (const SpringId id : affected.selected)
     if (const Index s = now->index_of(id); s != no_index)
       if (const double weight = weight_of(row, sheet, now->springs()[s]); weight > 0.0) set.values.emplace_back(id, weight * change.value);
-  edit(std::move(set), panels, requests);
+  edit_by_drag(std::move(set), panels, requests);
 }
 
 // A number of the scene, or one that many springs, points or colliders have; the mean where they differ.
@@ -81,7 +81,7 @@ void value_row(const Parameter& row, double value, const AffectedParts& parts, c
 void switch_row(const Parameter& row, double value, Panels& panels, Requests& requests) {
   begin_row(std::string(row.label));
   bool on = value != 0.0;
-  if (ImGui::Checkbox("##switch", &on)) edit(SetParameter{&row, on ? 1.0 : 0.0}, panels, requests);
+  if (ImGui::Checkbox("##switch", &on)) edit_by_drag(SetParameter{&row, on ? 1.0 : 0.0}, panels, requests);
   tooltip(std::string(row.description));
 }
 
@@ -103,7 +103,7 @@ void choice_row(const Parameter& row, double value, const PanelInput& input, Pan
       const ImGuiSelectableFlags flags = reason.empty() ? 0 : ImGuiSelectableFlags_Disabled;
       const bool chosen = ImGui::Selectable(row.choices[i].label.data(), i == now, flags);
       tooltip(reason.empty() ? std::string(row.choices[i].description) : reason);
-      if (chosen && i != now) edit(SetParameter{&row, static_cast<double>(i)}, panels, requests);
+      if (chosen && i != now) edit_by_drag(SetParameter{&row, static_cast<double>(i)}, panels, requests);
     }
     ImGui::EndCombo();
   } else {
@@ -120,7 +120,8 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
   if (ImGui::BeginCombo("##method", name.c_str(), ImGuiComboFlags_HeightLarge)) {
     close_on_escape(input, panels);
     const auto entry = [&](const Integrator& method) {
-      if (ImGui::Selectable(method.label.data(), &method == &now) && &method != &now) edit(SetIntegrator{&method}, panels, requests);
+      if (ImGui::Selectable(method.label.data(), &method == &now) && &method != &now)
+        edit_by_drag(SetIntegrator{&method}, panels, requests);
       tooltip(std::string(method.summary));
     };
     entry(automatic_method());

@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-constexpr double width = 460.0, row_height = 26.0;  // [design units]
+constexpr double search_width = 460.0, row_height = 26.0;  // [design units]
 constexpr std::size_t max_rows = 9;
 
 // A field that gets the keyboard selects its text: what the program put there is to be continued instead.
@@ -29,7 +29,7 @@ void build_search(const PanelInput& input, Panels& panels, Requests& requests) {
   Search& search = panels.search;
   if (!search.shown) return;
   const Rect& scene = input.layout.scene;
-  const float wide = box_width(width);
+  const float wide = box_width(search_width);
   ImGui::SetNextWindowPos({middle_for(scene, wide), static_cast<float>(scene.y) + units(24.0)}, ImGuiCond_Always, {0.5f, 0.0f});
   ImGui::SetNextWindowSize({wide, 0.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));

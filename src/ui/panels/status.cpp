@@ -8,6 +8,7 @@
 #include "ui/panels.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -43,17 +44,6 @@ std::vector<Figures> figures(const PanelInput& input) {
 }
 
 float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
-
-// Truncated to the width, by whole characters.
-std::string shortened(std::string text, float width) {
-  if (width_of(text) <= width) return text;
-  constexpr const char* rest = "\u2026";
-  while (!text.empty() && width_of(text + rest) > width) {
-    while (!text.empty() && (text.back() & 0xc0) == 0x80) text.pop_back();
-    if (!text.empty()) text.pop_back();
-  }
-  return text + rest;
-}
 
 // What is being written to a file, shown in red.
 std::string recording_text(const PanelInput& input) {

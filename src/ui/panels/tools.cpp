@@ -8,12 +8,12 @@
 namespace hooke {
 namespace {
 
-constexpr double full_height = 54.0, named_height = 46.0, min_height = 22.0, gap = 4.0, margin = 8.0;  // [design units]
+constexpr double full_height = 54.0, named_height = 46.0, min_height = 22.0, button_gap = 4.0, button_margin = 8.0;  // [design units]
 
 // The height of a button [design units] at which all fit.
 double height_for(const Rect& bar, std::size_t tools) {
-  const double available = bar.height / units(1.0) - 2.0 * margin - 2.0 * (2.0 + gap) - (1.0 + gap);
-  return std::clamp(std::floor(available / static_cast<double>(tools + 1)) - gap, min_height, full_height);
+  const double available = bar.height / units(1.0) - 2.0 * button_margin - 2.0 * (2.0 + button_gap) - (1.0 + button_gap);
+  return std::clamp(std::floor(available / static_cast<double>(tools + 1)) - button_gap, min_height, full_height);
 }
 
 // Icon, name below it if there is space, key in the corner.
@@ -41,8 +41,8 @@ bool tool_button(const ToolButton& tool, bool active, double height) {
 }  // namespace
 
 void build_toolbar(const PanelInput& input, Requests& requests) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(6.0), units(margin)});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(4.0), units(gap)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(6.0), units(button_margin)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(4.0), units(button_gap)});
   begin_panel("tools", input.layout.tools, ImGuiWindowFlags_NoScrollbar);
   const double height = height_for(input.layout.tools, input.tools.size());
   for (const ToolButton& tool : input.tools) {

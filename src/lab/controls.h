@@ -1,0 +1,70 @@
+// Requests to the laboratory itself; queued with the commands, in order.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "lab/accuracy/accuracy_mode.h"
+#include "lab/companion.h"
+#include "lab/traces.h"
+#include "scene/scene.h"
+
+namespace hooke {
+
+struct Recording;
+
+struct Undo {};
+struct Redo {};
+struct GoToHistoryStep {  // undoes or redoes until `done` steps are in effect
+  std::size_t done;
+};
+struct SetRunning {
+  bool running;
+};
+struct StepOnce {};  // one frame, while paused
+struct RunTo {       // as fast as possible, until the scene's clock reaches `time`
+  double time;
+};
+struct StepBack {};  // to the previous recorded state; pauses
+struct GoToTime {    // to the last recorded state at this time or before; pauses
+  double time;
+};
+struct Watch {  // sets the quantities measured in every frame, for the plots
+  std::vector<Quantity> quantities;
+};
+struct SetAccuracy {  // what is measured of the accuracy of the run
+  AccuracyMode mode;
+};
+struct SetCompanions {  // runs beside the run, from its present state on; empty: none
+  std::vector<Companion> companions;
+};
+struct GoToStart {};        // positions, velocities, tears and time of the start; edits of structure and parameters stay
+struct SetStart {};         // the current state becomes the start
+struct ResetParameters {};  // parameters, method and forces as they were when the document was opened
+struct ReleaseNails {};     // all of them, until the scene goes back to its start
+struct Open {               // another document, with an empty history
+  std::shared_ptr<const Scene> scene;
+  bool unsaved = false;  // it contains unsaved changes
+};
+struct MarkSaved {};
+struct Record {                                       // starts a recording; an earlier one ends
+  std::shared_ptr<const std::filesystem::path> file;  // null: only ends it
+};
+struct Play {  // opens the start of a recording and replays it, until its end or the next edit
+  std::shared_ptr<const Recording> recording;
+};
+using ControlVariant = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, SetAccuracy,
+                                    SetCompanions, GoToStart, SetStart, ResetParameters, ReleaseNails, Open, MarkSaved, Record, Play>;
+// Copies are compiled once, in lab_controls.cpp.
+struct Control : ControlVariant {
+  using ControlVariant::ControlVariant;
+  Control(const Control&);
+  Control(Control&&) noexcept;
+  Control& operator=(const Control&);
+  Control& operator=(Control&&) noexcept;
+  ~Control();
+};
+
+}  // namespace hooke
