@@ -47,7 +47,8 @@ function(need what)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
-need("configure" ${CMAKE_COMMAND} -G Ninja -S ${BUILD}/project -B ${BUILD}/build -DHOOKE_UNITY_BUILD=ON -DCMAKE_CXX_FLAGS=-O1 ${OPTIONS})
+need("configure" ${CMAKE_COMMAND} -G Ninja -S ${BUILD}/project -B ${BUILD}/build -DHOOKE_UNITY_BUILD=ON
+     "-DCMAKE_CXX_FLAGS=-O1 -DHWY_COMPILE_ONLY_STATIC" ${OPTIONS})
 need("build" ${CMAKE_COMMAND} --build ${BUILD}/build --target cpp_program c_program)
 need("the program in C++" ${BUILD}/build/cpp_program)
 set(expected "${output}")
