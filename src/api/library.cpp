@@ -1,9 +1,7 @@
 #include "api/library.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <utility>
 
 #include "base/build_info.h"
 #include "base/file_limits.h"
@@ -13,7 +11,6 @@
 #include "edit/apply.h"
 #include "edit/setting_text.h"
 #include "formats/open_file.h"
-#include "lab/lab.h"
 #include "sim/forces/bands.h"
 #include "sim/model/hash.h"
 
@@ -40,11 +37,6 @@ Vec3 to_vec3(const char* name, const Vector& vector) {
   const Vec3 result(vector.x, vector.y, vector.z);
   if (!is_finite(result)) throw InputError(std::string(name) + ": must be finite numbers");
   return result;
-}
-
-void check(const char* field, double value, const Bounds& bounds) {
-  if (const std::string reason = why_refused(value, bounds); !reason.empty())
-    throw InputError(std::string(field) + ": " + format_exact(value) + ": " + reason);
 }
 
 PointId id_of(const System& system, std::int64_t point) {
@@ -110,7 +102,7 @@ std::int64_t Scene::add_point(const Vector& position, double mass, bool nailed) 
   return guarded([&] {
     const System& system = data().scene.system;
     const Vec3 at = to_vec3("position", position);
-    check("mass", mass, positive);
+    check_value("mass", mass, positive);
     check_count("points", system.points().size() + 1, max_points);
     if (system.dimensions == 2 && at.z != 0.0) throw InputError("position: z = " + format_exact(at.z) + ": must be 0 in a 2-D scene");
     Effect effect;
@@ -126,8 +118,8 @@ std::int64_t Scene::add_spring(std::int64_t first, std::int64_t second, double s
     const System& system = data().scene.system;
     const PointId from = id_of(system, first), to = id_of(system, second);
     if (first == second) throw InputError("points: must be two different points");
-    check("stiffness", stiffness, not_negative);
-    check("damping", damping, not_negative);
+    check_value("stiffness", stiffness, not_negative);
+    check_value("damping", damping, not_negative);
     check_count("springs", system.springs().size() + 1, max_springs);
     const std::vector<Vec3>& position = data().scene.state.position;
     const double length = glm::length(position[static_cast<std::size_t>(second)] - position[static_cast<std::size_t>(first)]);
@@ -241,7 +233,7 @@ void Simulation::grab(std::int64_t point, const Vector& target) {
 
 void Simulation::pull(std::int64_t point, const Vector& target, double stiffness) {
   guarded([&] {
-    check("stiffness", stiffness, not_negative);
+    check_value("stiffness", stiffness, not_negative);
     const PointId id = id_of(data().lab.scene().system, point);
     data().submit(GrabPoint{{.point = id, .kind = GrabKind::Pull, .target = to_vec3("target", target), .stiffness = stiffness}});
   });

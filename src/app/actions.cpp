@@ -7,7 +7,7 @@
 #include "base/overloaded.h"
 #include "base/printable.h"
 #include "scene/parameters.h"
-#include "study/comparison_file.h"
+#include "study/compare_methods.h"
 
 namespace hooke {
 namespace {

@@ -9,13 +9,12 @@
 
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <optional>
 #include <string>
-#include <system_error>
 
 #include "base/errors.h"
+#include "base/formatted.h"
 #include "base/printable.h"
 
 namespace hooke {
@@ -35,9 +34,7 @@ bool is_temporary(const std::string& name) {
 std::string new_temporary_name() {
   std::uint64_t number = 0;
   if (getrandom(&number, sizeof number, 0) != sizeof number) number = static_cast<std::uint64_t>(getpid());
-  char text[digits + 1];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
-  return std::string(prefix) + text;
+  return std::string(prefix) + formatted("%016llx", static_cast<unsigned long long>(number));
 }
 
 // A temporary file in a folder, removed unless it was renamed. It is locked as long as the object lives.

@@ -102,6 +102,8 @@ void JsonWriter::number(double value) {
   raw(value == 0.0 && std::signbit(value) ? "-0.0" : format_exact(value));
 }
 
+void JsonWriter::number(const std::optional<double>& value) { value&& std::isfinite(*value) ? number(*value) : null(); }
+
 void JsonWriter::vector(const Vec3& value) {
   begin_list(Layout::Line);
   for (int c = 0; c < 3; ++c) number(value[c]);

@@ -4,6 +4,7 @@
 #include <rapidjson/document.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,8 @@ class JsonWriter {
 
   // Every number, including -0.0, is read back bit for bit. It must be finite.
   void number(double value);
+  // Null: it is not known, or not finite.
+  void number(const std::optional<double>& value);
   void integer(std::int64_t value) { raw(std::to_string(value)); }
   void boolean(bool value) { raw(value ? "true" : "false"); }
   void null() { raw("null"); }
@@ -41,7 +44,12 @@ class JsonWriter {
   }
 
   // key and value at once
+  void begin_object(std::string_view name, Layout layout) { key(name), begin_object(layout); }
+  void begin_list(std::string_view name, Layout layout) { key(name), begin_list(layout); }
+  void raw(std::string_view name, std::string_view json) { key(name), raw(json); }
+  void null(std::string_view name) { key(name), null(); }
   void number(std::string_view name, double value) { key(name), number(value); }
+  void number(std::string_view name, const std::optional<double>& value) { key(name), number(value); }
   void integer(std::string_view name, std::int64_t value) { key(name), integer(value); }
   void boolean(std::string_view name, bool value) { key(name), boolean(value); }
   void text(std::string_view name, std::string_view value) { key(name), text(value); }

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+
+#include "base/formatted.h"
 
 namespace hooke {
 namespace {
@@ -19,9 +20,7 @@ std::string superscript(int exponent) {
 }
 
 std::string as_power(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
-  const std::string all(text);
+  const std::string all = formatted("%.*e", digits - 1, value);
   const std::size_t e = all.find('e');
   std::string mantissa = all.substr(0, e);
   if (mantissa.find('.') != mantissa.npos) {
@@ -54,17 +53,16 @@ int exponent_of(double size) {
 std::string number_text(double value, int digits) {
   constexpr double min = 1e-4, max = 1e7;
   const double size = std::abs(value);
-  char text[40];
-  if (!std::isfinite(value) || size == 0.0) {
-    std::snprintf(text, sizeof text, "%g", size == 0.0 ? 0.0 : value);
-    return text;
-  }
+  if (!std::isfinite(value) || size == 0.0) return formatted("%g", size == 0.0 ? 0.0 : value);
   if (size < min || size >= max) return as_power(value, digits);
-  if (size >= std::pow(10.0, digits) - 0.5)
-    std::snprintf(text, sizeof text, "%.0f", value);
-  else
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
+  return size >= std::pow(10.0, digits) - 0.5 ? formatted("%.0f", value) : formatted("%.*g", digits, value);
+}
+
+std::string grouped_text(double value) {
+  std::string digits = formatted("%.0f", value);
+  const std::size_t first = value < 0.0 ? 1 : 0;
+  for (std::size_t end = digits.size(); end > first + 3; end -= 3) digits.insert(end - 3, ",");
+  return digits;
 }
 
 std::string unit_text(std::string_view unit) {

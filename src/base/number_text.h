@@ -10,6 +10,9 @@ namespace hooke {
 // 1e-4 and 1e7: "2.5×10⁻⁵".
 std::string number_text(double value, int digits = 4);
 
+// All digits of the integer nearest to it, in groups: "270,000".
+std::string grouped_text(double value);
+
 // "m/s²" for "m/s^2", "kg/m³" for "kg/m^3".
 std::string unit_text(std::string_view unit);
 

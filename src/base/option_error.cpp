@@ -53,6 +53,11 @@ std::string why_refused(double value, const Bounds& bounds) {
   return bounds.text() + (is_denormal ? "; numbers below 2.3e-308 count as 0" : "");
 }
 
+void check_value(const std::string& field, double value, const Bounds& bounds) {
+  if (const std::string reason = why_refused(value, bounds); !reason.empty())
+    throw InputError(field + ": " + format_exact(value) + ": " + reason);
+}
+
 void check_option(const std::string& option, double value, const Bounds& bounds) {
   if (const std::string reason = why_refused(value, bounds); !reason.empty()) throw OptionError(option, format_exact(value), reason);
 }

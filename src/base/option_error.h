@@ -25,6 +25,9 @@ class OptionError : public UsageError {
 // Why a value is not allowed: "must be at least 0", "must be a finite number"; empty if it is allowed.
 std::string why_refused(double value, const Bounds& bounds);
 
+// Throws InputError "FIELD: VALUE: must be ..." for the same, for a value that is not from an option.
+void check_value(const std::string& field, double value, const Bounds& bounds);
+
 // Throws OptionError for a number that is not finite or not within the bounds.
 void check_option(const std::string& option, double value, const Bounds& bounds);
 

@@ -1,7 +1,8 @@
 #include "base/printable.h"
 
 #include <cstdint>
-#include <cstdio>
+
+#include "base/formatted.h"
 
 namespace hooke {
 namespace {
@@ -37,12 +38,6 @@ bool is_control(std::uint32_t c) {
   return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x2028 || c == 0x2029 || (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
 }
 
-std::string escape(const char* format, std::uint32_t value) {
-  char buffer[16];
-  std::snprintf(buffer, sizeof buffer, format, static_cast<unsigned>(value));
-  return buffer;
-}
-
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -52,13 +47,13 @@ std::string printable(std::string_view text) {
     const CodePoint c = first_code_point(text);
     const std::size_t length = c.length == 0 ? 1 : c.length;
     if (c.length == 0)
-      shown += escape("\\x%02x", static_cast<unsigned char>(text[0]));
+      shown += formatted("\\x%02x", static_cast<unsigned>(static_cast<unsigned char>(text[0])));
     else if (c.value == '\n')
       shown += "\\n";
     else if (c.value == '\t')
       shown += "\\t";
     else if (is_control(c.value))
-      shown += escape("\\u%04x", c.value);
+      shown += formatted("\\u%04x", static_cast<unsigned>(c.value));
     else
       shown += text.substr(0, length);
     text.remove_prefix(length);

@@ -11,7 +11,6 @@
 #include <iterator>
 #include <utility>
 
-#include "base/errors.h"
 #include "base/file_limits.h"
 #include "base/printable.h"
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+
+#include "base/formatted.h"
 
 namespace hooke {
 namespace {
@@ -39,6 +40,14 @@ std::string_view next_token(std::string_view& line) {
   return word;
 }
 
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end = 0; (end = text.find(separator)) != std::string_view::npos; text.remove_prefix(end + 1))
+    parts.push_back(text.substr(0, end));
+  parts.push_back(text);
+  return parts;
+}
+
 std::optional<double> parse_number(std::string_view word) {
   word = without_plus(word);
   double value = 0.0;
@@ -58,11 +67,7 @@ std::optional<int> parse_integer(std::string_view word) {
   return value;
 }
 
-std::string format_rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
+std::string format_rounded(double value) { return formatted("%.6g", value); }
 
 std::string pluralize(std::size_t count, const std::string& singular, const std::string& plural) {
   return std::to_string(count) + " " + (count == 1 ? singular : plural);

@@ -10,7 +10,6 @@
 
 #include "batch/shard.h"
 #include "study/work_precision_file.h"
-#include "study/work_precision_merge.h"
 
 namespace hooke {
 

@@ -36,18 +36,11 @@ std::vector<CheapestRow> cheapest_rows(const ProblemRecord& record) {
 // Of decades without a row.
 std::string without_row(const CheapestRow& cheapest_row, const ProblemRecord& record) {
   if (cheapest_row.is_measurable) return "not reached";
-  std::string text;
-  append_formatted(text, "not measurable: the reference is uncertain by %.0e", record.reference->uncertainty());
-  return text;
+  return formatted("not measurable: the reference is uncertain by %.0e", record.reference->uncertainty());
 }
 
 // What half the precision changes.
-std::string gap_text(double gap) {
-  if (gap == 0.0) return "nothing";
-  std::string text;
-  append_formatted(text, "it by %.0e", gap);
-  return text;
-}
+std::string gap_text(double gap) { return gap == 0.0 ? "nothing" : formatted("it by %.0e", gap); }
 
 std::string describe(const ReferenceRecord& reference) {
   std::string text;

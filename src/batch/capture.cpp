@@ -1,9 +1,8 @@
 #include "batch/capture.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.h"
 #include "base/option_error.h"
 #include "batch/capture_report.h"
 #include "batch/offscreen.h"
@@ -73,9 +72,8 @@ class FrameCapture {
   // One line about the picture.
   static std::string stamp_of(const Status& status) {
     const Snapshot& snapshot = *status.snapshot;
-    std::array<char, 32> time{};
-    std::snprintf(time.data(), time.size(), "t = %.3f s", snapshot.state.time);
-    return std::string(time.data()) + "    " + accuracy_line(status.accuracy) + "    " + std::string(snapshot.settings.integrator->id) +
+    return formatted("t = %.3f s", snapshot.state.time) + "    " + accuracy_line(status.accuracy) + "    " +
+           std::string(snapshot.settings.integrator->id) +
            (is_automatic(snapshot.settings) && snapshot.state.memory.choice
                 ? ": " + describe(*snapshot.state.memory.choice, snapshot.settings)
                 : ", " + std::to_string(snapshot.settings.substeps) + (snapshot.settings.substeps == 1 ? " substep" : " substeps"));

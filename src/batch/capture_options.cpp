@@ -1,14 +1,12 @@
 #include "batch/capture_options.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.h"
 #include "base/option_error.h"
 #include "base/printable.h"
+#include "base/text_lines.h"
 #include "batch/output_file.h"
-#include "batch/output_folder.h"
 #include "draw/camera_text.h"
 
 namespace hooke {
@@ -16,28 +14,13 @@ namespace {
 
 constexpr double frame_tolerance = 1e-9;  // relative rounding error of a number of frames
 
-// Parses a number at the start of the text and removes it.
-template <class Number>
-bool take(std::string_view& text, Number& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return error == std::errc();
-}
-
-bool take(std::string_view& text, char wanted) {
-  if (text.empty() || text.front() != wanted) return false;
-  text.remove_prefix(1);
-  return true;
-}
-
 }  // namespace
 
 PictureSize parse_size(const std::string& text) {
-  PictureSize size{};
-  std::string_view rest = text;
+  const std::vector<std::string_view> sides = split(text, 'x');
+  const PictureSize size{parse_integer(sides[0]).value_or(0), parse_integer(sides.back()).value_or(0)};
   const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= max_pixels; };
-  const bool is_size = take(rest, size.width) && take(rest, 'x') && take(rest, size.height) && rest.empty();
-  if (!is_size || !is_side(size.width) || !is_side(size.height))
+  if (sides.size() != 2 || !is_side(size.width) || !is_side(size.height))
     throw OptionError("size", printable(text, 80), "must be WIDTHxHEIGHT, each from 1 to " + std::to_string(max_pixels));
   return size;
 }
@@ -49,9 +32,7 @@ CameraPose parse_camera(const std::string& text) {
 
 std::filesystem::path Destination::file(long number) const {
   if (kind != Kind::Folder) return path;
-  std::array<char, 40> name{};
-  std::snprintf(name.data(), name.size(), "frame_%05ld.png", number);
-  return path / name.data();
+  return path / formatted("frame_%05ld.png", number);
 }
 
 Destination parse_destination(const std::string& out) {

@@ -1,12 +1,9 @@
 #include "batch/capture_report.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/bounds.h"
 #include "base/number_text.h"
 #include "batch/accuracy_json.h"
-#include "batch/output_folder.h"
+#include "batch/output_file.h"
 #include "batch/run_report.h"
 #include "sim/methods/integrator.h"
 #include "sim/model/hash.h"
@@ -40,8 +37,7 @@ CaptureReport::CaptureReport(const std::filesystem::path& folder, const Scene& s
   json_.text("integrator", scene.settings.integrator->id);
   json_.integer("substeps", scene.settings.substeps);
   json_.number("frame_rate", scene.settings.frame_rate);
-  json_.key("frames");
-  json_.begin_list(JsonWriter::Layout::Lines);
+  json_.begin_list("frames", JsonWriter::Layout::Lines);
 }
 
 void CaptureReport::add(const Lab& lab, const std::string& file) {

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "base/option_error.h"
 #include "base/printable.h"
+#include "base/text_lines.h"
 #include "batch/bench.h"
 #include "formats/scene_file.h"
 #include "sim/control/automatic.h"
@@ -23,9 +24,10 @@ std::vector<const HardCase*> chosen_cases(const std::vector<int>& numbers) {
   std::vector<const HardCase*> chosen;
   for (const HardCase& row : hard_cases())
     if (numbers.empty() || std::ranges::find(numbers, row.number) != numbers.end()) chosen.push_back(&row);
+  const std::string known = joined(hard_cases(), [](const HardCase& row) { return std::to_string(row.number); });
   for (const int number : numbers)
-    if (std::ranges::none_of(chosen, [&](const HardCase* row) { return row->number == number; }))
-      throw OptionError("cases", std::to_string(number), "no such case: must be from 1 to " + std::to_string(hard_cases().size()));
+    if (std::ranges::find(chosen, number, &HardCase::number) == chosen.end())
+      throw OptionError("cases", std::to_string(number), "no such case: must be one of " + known);
   return chosen;
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
+#include "base/formatted.h"
 #include "sim/methods/integrator.h"
 #include "sim/plan/plan.h"
 
@@ -14,12 +14,6 @@ namespace {
 
 // Relative errors at which methods are compared: visually acceptable, for measurements, small.
 constexpr std::array decades{2, 4, 8};
-
-std::string rounded(double value, const char* format = "%.3g") {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 // The cheapest row of a method, or null.
 const Row* cheapest_of(const ProblemRecord& record, std::string_view method, double error) {
@@ -64,7 +58,7 @@ Implicit methods leave out some derivatives of listed forces; the limit is then 
 std::string limit_of(const Integrator& method, const Spectrum& spectrum, const char* rate) {
   const double limit = StepLimits(spectrum).stable_step(method);
   if (limit == 0.0) return "none";
-  return std::isinf(limit) ? "any" : std::string("h ") + rate + " < " + rounded(limit);
+  return std::isinf(limit) ? "any" : std::string("h ") + rate + " < " + formatted("%.3g", limit);
 }
 
 // Wind and mass_center are the listed forces that depend on velocity.
@@ -109,11 +103,11 @@ void add_comparison(std::string& text, const Results& results, int decade) {
     const double error = std::pow(10.0, -decade);
     const Row* best = cheapest(record, error);
     const char* none = is_measurable(record, error) ? "not reached" : "not measurable";
-    text += "| " + record.id + " | " + (best ? rounded(*best->cpu_ms_per_s) : none) + " |";
+    text += "| " + record.id + " | " + (best ? formatted("%.3g", *best->cpu_ms_per_s) : none) + " |";
     for (const Integrator& method : integrators()) {
       if (!is_measured(method, results)) continue;
       const Row* row = best ? cheapest_of(record, method.id, error) : nullptr;
-      text += row == nullptr ? " - |" : row == best ? " **1** |" : " " + rounded(*row->cpu_ms_per_s / *best->cpu_ms_per_s, "%.2g") + " |";
+      text += row == nullptr ? " - |" : row == best ? " **1** |" : " " + formatted("%.2g", *row->cpu_ms_per_s / *best->cpu_ms_per_s) + " |";
     }
     text += "\n";
   }

@@ -4,7 +4,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <iostream>
 #include <utility>
 
@@ -81,6 +80,23 @@ void flush_stdout() {
   // an earlier write failed, and its reason is no longer known: another write fails for the same one
   if (errno == 0 && ::write(STDOUT_FILENO, "\n", 1) == 1) errno = EIO;
   fail("stdout", errno);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  const auto check = [&](const std::error_code& failure) {
+    if (failure) throw FileError(printable(folder.native()) + ": cannot be created: " + failure.message());
+  };
+  if (folder.empty()) check(std::make_error_code(std::errc::no_such_file_or_directory));
+  std::filesystem::path part;
+  // each part may be a link to a folder that does not exist yet
+  for (const std::filesystem::path& name : folder) {
+    part /= name;
+    std::error_code missing, failure;
+    if (std::filesystem::is_directory(part, missing)) continue;
+    const std::filesystem::path target = follow_links(part, failure);
+    if (!failure) std::filesystem::create_directories(target, failure);
+    check(failure);
+  }
 }
 
 }  // namespace hooke

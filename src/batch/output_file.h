@@ -1,7 +1,8 @@
-// The output of a command: a file, or stdout.
+// The output of a command: a file, stdout or a folder.
 #pragma once
 
 #include <cstdio>
+#include <filesystem>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -40,5 +41,8 @@ void require_separate_files(const std::string& input, std::initializer_list<Name
 
 // Flushes stdout. Throws FileError if any output of the program to stdout is lost.
 void flush_stdout();
+
+// Creates the folder with its parents if it does not exist, also where a symbolic link leads to it. Throws FileError.
+void make_folder(const std::filesystem::path& folder);
 
 }  // namespace hooke

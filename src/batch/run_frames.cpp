@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "base/text_lines.h"
+#include "base/threads/thread_time.h"
 #include "batch/scene_options.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "scene/crossed_parts.h"
@@ -27,14 +27,14 @@ constexpr double round_off = 1e-9;
 
 // Computes a frame, and adds its costs. False: the state is that of the previous frame, and the run ends.
 bool compute_frame(Lab& lab, RunTotals& totals) {
-  const double cpu = cpu_seconds(), wall = wall_now();
+  const double cpu = thread_cpu_seconds(), wall = wall_now();
   try {
     totals.diverged = !lab.step();
   } catch (const Interrupted&) {
     totals.interrupted = true;
   }
   const double measuring = lab.accuracy_cpu_seconds() - totals.accuracy_cpu_seconds;
-  totals.cpu_seconds += std::max(0.0, cpu_seconds() - cpu - measuring);
+  totals.cpu_seconds += std::max(0.0, thread_cpu_seconds() - cpu - measuring);
   totals.wall_seconds += std::max(0.0, wall_now() - wall - measuring);
   totals.accuracy_cpu_seconds += measuring;
   totals.force_evaluations += lab.last_frame().force_evaluations();

@@ -1,14 +1,14 @@
 #include "batch/run_report.h"
 
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <utility>
 
 #include "base/build_info.h"
+#include "base/formatted.h"
 #include "base/option_error.h"
 #include "base/printable.h"
+#include "base/text_lines.h"
 #include "batch/accuracy_json.h"
 #include "scene/parameter_value.h"
 #include "sim/control/automatic.h"
@@ -27,11 +27,7 @@ void write_choice(JsonWriter& json, const MethodChoice& choice, double allowed) 
   json.text("integrator", choice.method->id);
   json.integer("substeps", choice.substeps);
   json.integer("min_substeps", choice.min_substeps);
-  json.key("ratio");
-  if (choice.error && std::isfinite(*choice.error))
-    json.number(*choice.error / allowed);
-  else
-    json.null();
+  json.number("ratio", choice.error ? std::optional(*choice.error / allowed) : std::nullopt);
 }
 
 // Null: the scene does not have it.
@@ -49,29 +45,19 @@ void write_value(JsonWriter& json, const Parameter& parameter, const Scene& scen
 
 }  // namespace
 
-std::string to_hexadecimal(std::uint64_t hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
+std::string to_hexadecimal(std::uint64_t hash) { return formatted("%016llx", static_cast<unsigned long long>(hash)); }
 
 std::optional<std::vector<Index>> parse_points(const std::optional<std::string>& list, Index count) {
   if (!list) return std::nullopt;
   std::vector<Index> points;
-  const char* at = list->data();
-  const char* const end = at + list->size();
-  for (;;) {
-    Index point = -1;
-    const auto [after, error] = std::from_chars(at, end, point);
-    const bool is_number = error == std::errc() && point >= 0 && point < count && (after == end || *after == ',');
-    if (!is_number)
+  for (const std::string_view word : split(*list, ',')) {
+    points.push_back(parse_integer(word).value_or(no_index));
+    if (points.back() < 0 || points.back() >= count)
       throw OptionError("points", printable(*list, 80),
                         count == 0 ? "must be left out: the scene has no points"
                                    : "must be numbers from 0 to " + std::to_string(count - 1) + ", separated by commas");
-    points.push_back(point);
-    if (after == end) return points;
-    at = after + 1;
   }
+  return points;
 }
 
 JsonReport::JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene) : file_(file) {
@@ -85,24 +71,18 @@ JsonReport::JsonReport(const std::string& file, const std::string& scene_name, c
   if (is_automatic(scene.settings)) json_.number("tolerance", automatic_tolerance(scene.settings));
   allowed_error_ = automatic_tolerance(scene.settings) / scene.settings.frame_rate;
   json_.number("frame_rate", scene.settings.frame_rate);
-  json_.key("parameters");
-  json_.begin_object(JsonLayout::Line);
+  json_.begin_object("parameters", JsonLayout::Line);
   for (const Parameter& parameter : parameters()) write_value(json_, parameter, scene);
   json_.end();
-  json_.key("samples");
-  json_.begin_list(JsonLayout::Lines);
+  json_.begin_list("samples", JsonLayout::Lines);
 }
 
 void JsonReport::add_sample(const System& system, const State& state, const Accuracy& accuracy,
                             const std::optional<std::vector<Index>>& points) {
   const auto write_vectors = [&](const char* key, const std::vector<Vec3>& vectors) {
-    json_.key(key);
-    json_.begin_list(JsonLayout::Line);
+    json_.begin_list(key, JsonLayout::Line);
     const auto write = [&](std::size_t i) {
-      if (i < vectors.size())
-        json_.vector(vectors[i]);
-      else
-        json_.null();
+      i < vectors.size() ? json_.vector(vectors[i]) : json_.null();
       if (json_.written().size() > max_buffered_bytes) file_.write(json_.take());
     };
     if (points)
@@ -117,8 +97,7 @@ void JsonReport::add_sample(const System& system, const State& state, const Accu
   write_vectors("velocities", state.velocity);
 
   const Energy energy = compute_energy(system, state);
-  json_.key("energy");
-  json_.begin_object(JsonLayout::Line);
+  json_.begin_object("energy", JsonLayout::Line);
   json_.number("kinetic", energy.kinetic);
   json_.number("elastic", energy.elastic);
   json_.number("gravitational", energy.gravitational);
@@ -126,8 +105,7 @@ void JsonReport::add_sample(const System& system, const State& state, const Accu
   json_.end();
 
   if (const auto& choice = state.memory.choice) {
-    json_.key("choice");
-    json_.begin_object(JsonLayout::Line);
+    json_.begin_object("choice", JsonLayout::Line);
     write_choice(json_, *choice, allowed_error_);
     json_.end();
   }
@@ -151,8 +129,7 @@ void JsonReport::finish(const RunTotals& totals) {
   json_.boolean("interrupted", totals.interrupted);
   if (totals.frames_beyond_tolerance) json_.integer("frames_beyond_tolerance", *totals.frames_beyond_tolerance);
   if (!totals.gas_releases.empty()) {
-    json_.key("gas_releases");
-    json_.begin_list(JsonLayout::Line);
+    json_.begin_list("gas_releases", JsonLayout::Line);
     for (const double time : totals.gas_releases) json_.number(time);
     json_.end();
   }

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "base/threads/thread_time.h"
 #include "batch/run_frames.h"
 #include "lab/lab.h"
 #include "study/benchmark.h"
@@ -40,9 +41,9 @@ Figures step_cloth(int n) {
   run_frames(lab, {.seconds = 1.0 / lab.scene().settings.frame_rate, .accuracy = AccuracyMode::Off}, {});
   Figures figures{.springs = lab.scene().system.spring_count(), .step_seconds = HUGE_VAL};
   for (int frame = 0; frame < frames; ++frame) {
-    const double start = cpu_seconds();
+    const double start = thread_cpu_seconds();
     lab.step();
-    figures.step_seconds = std::min(figures.step_seconds, (cpu_seconds() - start) / lab.scene().settings.substeps);
+    figures.step_seconds = std::min(figures.step_seconds, (thread_cpu_seconds() - start) / lab.scene().settings.substeps);
   }
   return figures;
 }

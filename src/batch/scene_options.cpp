@@ -8,7 +8,7 @@
 #include "formats/open_file.h"
 #include "scene/parameters.h"
 #include "scene/step_advice.h"
-#include "scene/warnings/strain_limit_warning.h"
+#include "scene/warnings/warnings.h"
 #include "sim/control/automatic.h"
 #include "sim/forces/single_precision.h"
 #include "sim/methods/integrator.h"

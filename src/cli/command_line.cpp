@@ -4,13 +4,7 @@
 
 #include "base/build_info.h"
 #include "base/file_limits.h"
-#include "cli/commands/bench.h"
-#include "cli/commands/capture.h"
-#include "cli/commands/check.h"
-#include "cli/commands/convert.h"
-#include "cli/commands/replay.h"
-#include "cli/commands/run.h"
-#include "cli/commands/sweep.h"
+#include "cli/commands/commands.h"
 
 namespace hooke {
 namespace {

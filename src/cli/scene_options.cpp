@@ -1,12 +1,15 @@
 #include "cli/scene_options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
 #include "base/errors.h"
 #include "base/file_limits.h"
 #include "base/printable.h"
+#include "base/text_lines.h"
 #include "formats/file_kind.h"
+#include "scene/parameter_value.h"
 #include "sim/forces/bands.h"
 
 namespace hooke {
@@ -28,15 +31,10 @@ CLI::Validator within(const Bounds& bounds) {
 
 CLI::Validator one_of(std::vector<std::string> names) {
   const auto check = [names = std::move(names)](std::string& text) {
-    std::string list;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (text == names[i]) {
-        text = std::to_string(i);
-        return std::string();
-      }
-      list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
-    }
-    return printable(text, 80) + ": must be " + list;
+    const auto at = std::ranges::find(names, text);
+    if (at == names.end()) return printable(text, 80) + ": must be " + joined(names, {}, " or ");
+    text = std::to_string(at - names.begin());
+    return std::string();
   };
   return CLI::Validator(check, "", "");
 }

@@ -1,7 +1,6 @@
 #include "draw/projection.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 namespace hooke {
 

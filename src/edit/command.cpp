@@ -1,7 +1,5 @@
 #include "edit/command.h"
 
-#include <concepts>
-
 #include "edit/field_names.h"
 
 namespace hooke {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "edit/command.h"
 #include "scene/selection.h"

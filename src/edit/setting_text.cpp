@@ -1,27 +1,12 @@
 #include "edit/setting_text.h"
 
-#include <cmath>
-
 #include "base/printable.h"
 #include "edit/apply.h"
 #include "scene/flatness.h"
 #include "scene/parameter_value.h"
-#include "sim/control/automatic.h"
 #include "sim/methods/integrator.h"
 
 namespace hooke {
-
-std::string ids_of_integrators() {
-  std::string ids;
-  for (const Integrator& integrator : integrators()) ids += std::string(integrator.id) + ", ";
-  return ids + std::string(automatic_method().id);
-}
-
-std::string names_of_parameters() {
-  std::string names;
-  for (const Parameter& parameter : parameters()) names += (names.empty() ? "" : ", ") + std::string(parameter.name);
-  return names;
-}
 
 const Integrator& parse_integrator(const std::string& id) {
   const Integrator* integrator = find_integrator(id);

@@ -8,10 +8,6 @@
 
 namespace hooke {
 
-// "explicit_euler, ..." of all methods; the names of all parameters.
-std::string ids_of_integrators();
-std::string names_of_parameters();
-
 // Throws OptionError if there is no such method.
 const Integrator& parse_integrator(const std::string& id);
 

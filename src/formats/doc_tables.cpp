@@ -20,11 +20,8 @@ std::string default_of(const Parameter& row) {
 
 std::string range_of(const Parameter& row) {
   if (row.kind == Parameter::Kind::Switch) return "";
-  if (row.kind == Parameter::Kind::Choice) {
-    std::string ids;
-    for (const ParameterChoice& choice : row.choices) ids += (ids.empty() ? "\"" : ", \"") + std::string(choice.id) + "\"";
-    return ids;
-  }
+  if (row.kind == Parameter::Kind::Choice)
+    return joined(row.choices, [](const ParameterChoice& choice) { return "\"" + std::string(choice.id) + "\""; });
   constexpr std::string_view prefix = "must be ";
   return row.physical.text().substr(prefix.size());
 }
@@ -52,11 +49,10 @@ std::string numbers_of(const ShapeKind& kind) {
 std::string shape_table() {
   std::string table = "| type | description | parameters: name, default, unit | `held` |\n|---|---|---|---|\n";
   for (const ShapeKind& kind : placeable_shapes()) {
-    std::string supports, description(kind.description);
-    for (const std::string_view support : kind.supports) supports += (supports.empty() ? "" : ", ") + std::string(support);
+    std::string description(kind.description);
     if (!kind.details.empty()) description += " " + std::string(kind.details) + ".";
     if (kind.is_3d_only) description += " Only in 3-D scenes.";
-    table += "| " + code(kind.id) + " | " + description + " | " + numbers_of(kind) + " | " + supports + " |\n";
+    table += "| " + code(kind.id) + " | " + description + " | " + numbers_of(kind) + " | " + joined(kind.supports) + " |\n";
   }
   return table;
 }

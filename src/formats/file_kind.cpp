@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/text_lines.h"
 #include "formats/file_kinds.h"
 
 namespace hooke {
@@ -12,9 +13,7 @@ std::string list_extensions(bool (*is_listed)(const FileKind& row)) {
   std::vector<std::string> listed;
   for (const FileKind& row : file_kinds())
     if (is_listed(row)) listed.emplace_back(row.extension);
-  std::string list;
-  for (std::size_t i = 0; i < listed.size(); ++i) list += (i == 0 ? "" : i + 1 == listed.size() ? " or " : ", ") + listed[i];
-  return list;
+  return joined(listed, {}, " or ");
 }
 
 }  // namespace

@@ -13,4 +13,8 @@ LoadedScene load_file(const std::filesystem::path& file, const Progress& progres
 // or FileError, and leaves the old file unchanged.
 std::vector<std::string> write_scene_as(const Scene& scene, const std::filesystem::path& file);
 
+// `in` is a file or the id of a shipped scene; the extension of `out` determines the format. Returns the scene as it was read, with
+// warnings about the file, and about what the format cannot represent. Throws UsageError, InputError, FileError.
+LoadedScene convert_file(const std::string& in, const std::string& out, const ImportOptions& options = {});
+
 }  // namespace hooke

@@ -4,6 +4,7 @@
 
 #include "base/file_limits.h"
 #include "base/json_text.h"
+#include "base/text_lines.h"
 #include "scene/quantity.h"
 #include "sim/methods/integrator.h"
 
@@ -11,12 +12,9 @@ namespace hooke {
 namespace {
 
 const CriterionKind& read_kind(const JsonField& field) {
-  std::string ids;
-  for (const CriterionKind& kind : law_kinds()) {
+  for (const CriterionKind& kind : law_kinds())
     if (field.text() == kind.id) return kind;
-    ids += (ids.empty() ? "" : ", ") + std::string(kind.id);
-  }
-  field.refuse("must be one of " + ids);
+  field.refuse("must be one of " + joined(law_kinds(), &CriterionKind::id));
 }
 
 Criterion read_criterion(const JsonField& field) {

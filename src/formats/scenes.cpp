@@ -11,6 +11,7 @@
 #include "base/own_library.h"
 #include "base/printable.h"
 #include "base/read_file.h"
+#include "base/text_lines.h"
 #include "formats/file_kind.h"
 #include "formats/gallery.h"
 #include "formats/scene_file.h"
@@ -62,12 +63,6 @@ std::optional<ShippedScene> read_listed(const fs::path& file) {
   return scene;
 }
 
-std::string ids() {
-  std::string list;
-  for (const ShippedScene& scene : shipped_scenes()) list += (list.empty() ? "" : ", ") + scene.id;
-  return list;
-}
-
 // Similar files in the folder of a file, or similar choices.
 std::string nearest_names(const fs::path& name, const std::string& choices) {
   constexpr std::size_t max_names = 3, max_files = 1000;
@@ -117,7 +112,7 @@ fs::path find_scene(const std::string& name, std::span<const std::string_view> c
   const bool is_file_name = name.find('/') != std::string::npos || (fs::path(name).has_extension() && find_file_kind(name) != nullptr);
   std::string choices;
   for (const std::string_view command : commands) choices.append(command).append(", ");
-  choices += ids();
+  choices += joined(shipped_scenes(), &ShippedScene::id);
   // the nearest names first: the list is long
   const std::string nearest = nearest_names(name, choices);
   if (is_file_name) throw MissingFileError(printable(name) + ": no such file" + (nearest.empty() ? "" : "; " + nearest));

@@ -1,8 +1,7 @@
 #include "lab/change_text.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "base/number_text.h"
 #include "base/overloaded.h"
@@ -12,16 +11,8 @@
 namespace hooke {
 namespace {
 
-// All digits of numbers from a thousand to ten million, in groups: "270,000".
-std::string grouped(double value) {
-  if (!(std::abs(value) >= 1000.0) || !(std::abs(value) < 1e7)) return number_text(value);
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f", value);
-  std::string digits = text;
-  const std::size_t first = value < 0.0 ? 1 : 0;
-  for (std::size_t end = digits.size(); end > first + 3; end -= 3) digits.insert(end - 3, ",");
-  return digits;
-}
+// Numbers from a thousand to ten million in groups of digits.
+std::string grouped(double value) { return std::abs(value) >= 1000.0 && std::abs(value) < 1e7 ? grouped_text(value) : number_text(value); }
 
 template <class Items, class Value>
 std::string mean_of(const Items& items, const Value& value) {
@@ -34,17 +25,8 @@ std::string mean_of(const Items& items, const Value& value) {
 double property_of(const Point& point, PointProperty property) { return property == PointProperty::Mass ? point.mass : point.radius; }
 
 double property_of(const Spring& spring, SpringProperty property) {
-  switch (property) {
-    case SpringProperty::Stiffness:
-      return spring.stiffness;
-    case SpringProperty::Damping:
-      return spring.damping;
-    case SpringProperty::RestLength:
-      return spring.rest_length;
-    case SpringProperty::BreakStrain:
-      return spring.break_strain;
-  }
-  return spring.stiffness;
+  constexpr std::array members{&Spring::stiffness, &Spring::damping, &Spring::rest_length, &Spring::break_strain};
+  return spring.*members[static_cast<std::size_t>(property)];
 }
 
 std::string value_of(const Parameter& parameter, const Scene& scene) {
@@ -80,17 +62,10 @@ Named quantity_of(const Command& command) {
                           return set.property == PointProperty::Mass ? Named{"mass", "kg"} : Named{"radius", "m"};
                         },
                         [](const SetSpringProperty& set) {
-                          switch (set.property) {
-                            case SpringProperty::Stiffness:
-                              return Named{"k", "N/m"};
-                            case SpringProperty::Damping:
-                              return Named{"d", "N s/m"};
-                            case SpringProperty::RestLength:
-                              return Named{"rest length", "m"};
-                            case SpringProperty::BreakStrain:
-                              return Named{"break strain", ""};
-                          }
-                          return Named{};
+                          constexpr std::array<std::pair<const char*, const char*>, 4> names{
+                              {{"k", "N/m"}, {"d", "N s/m"}, {"rest length", "m"}, {"break strain", ""}}};
+                          const auto& [name, unit] = names[static_cast<std::size_t>(set.property)];
+                          return Named{name, unit};
                         },
                         [](const auto&) { return Named{}; },
                     },

@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.h"
 #include "base/number_text.h"
 #include "sim/methods/implicit/supernodal_factor.h"
 
 namespace hooke {
 namespace {
-
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
 
 std::string describe_spring(const System& system, SpringId id) {
   const Spring& spring = system.springs()[system.index_of(id)];
@@ -36,9 +30,7 @@ std::string describe_growth(double factor) {
   if (!std::isfinite(factor)) return "without limit";
   if (factor >= 1e9) return number_text(std::pow(10.0, std::floor(std::log10(factor))), 1) + "-fold";
   const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(factor)) - 1.0));
-  std::string digits = format("%.0f", unit * std::round(factor / unit));
-  for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, ",");
-  return digits + "-fold";
+  return grouped_text(unit * std::round(factor / unit)) + "-fold";
 }
 
 }  // namespace
@@ -53,7 +45,7 @@ std::string describe(const Divergence& divergence, const System& system) {
       return blew_up + "energy grew " + describe_growth(divergence.energy / divergence.scale) + ", first at " + location + "." + when;
     case Divergence::Kind::Implausible:
       return blew_up + location + " is " +
-             (divergence.distance < 1e4 ? format("%.0f m", divergence.distance) : quantity_text(divergence.distance, "m", 2)) +
+             (divergence.distance < 1e4 ? formatted("%.0f m", divergence.distance) : quantity_text(divergence.distance, "m", 2)) +
              " away, farther than any motion can have taken it." + when;
     case Divergence::Kind::StepTooShort:
       return "The method finds no step short enough, first at " + location + "." + when;

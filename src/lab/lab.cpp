@@ -1,7 +1,6 @@
 #include "lab/lab.h"
 
 #include <algorithm>
-#include <chrono>
 #include <glm/geometric.hpp>
 #include <limits>
 

@@ -1,7 +1,6 @@
 #include "lab/lab_thread.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "base/threads/thread_team.h"

@@ -1,7 +1,5 @@
 #include "lab/reset_parameters.h"
 
-#include <cmath>
-
 #include "scene/parameters.h"
 
 namespace hooke {

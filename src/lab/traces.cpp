@@ -1,6 +1,5 @@
 #include "lab/traces.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

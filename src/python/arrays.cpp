@@ -1,6 +1,5 @@
 #include "python/arrays.h"
 
-#include <cmath>
 #include <cstring>
 
 #include "base/errors.h"

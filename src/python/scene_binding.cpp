@@ -30,11 +30,6 @@ const SpringList& springs_of(const NamedScene& scene) { return scene.scene().sys
 
 std::string at(const std::string& name, std::size_t index) { return name + "[" + std::to_string(index) + "]"; }
 
-void check_value(const std::string& field, double value, const Bounds& bounds) {
-  if (const std::string reason = why_refused(value, bounds); !reason.empty())
-    throw InputError(field + ": " + format_exact(value) + ": " + reason);
-}
-
 NamedScene load(const std::string& name, const std::map<std::string, std::string>& options) {
   return {name, load_file(find_scene(name), {}, to_import_options(options))};
 }

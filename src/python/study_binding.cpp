@@ -3,7 +3,6 @@
 #include "base/errors.h"
 #include "batch/bench.h"
 #include "batch/check.h"
-#include "batch/convert.h"
 #include "formats/open_file.h"
 #include "python/scene_binding.h"
 #include "study/check_scene.h"

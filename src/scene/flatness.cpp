@@ -1,7 +1,5 @@
 #include "scene/flatness.h"
 
-#include <algorithm>
-
 #include "sim/model/force_term.h"
 
 namespace hooke {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <cstdio>
+#include "base/text_lines.h"
 
 namespace hooke {
 namespace {
@@ -51,12 +51,6 @@ constexpr std::array kinds{
     CriterionKind{"between", false, true, nullptr, "ranges"},
 };
 
-std::string format_value(double evaluate) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", evaluate);
-  return text;
-}
-
 }  // namespace
 
 std::span<const CriterionKind> law_kinds() { return kinds; }
@@ -66,14 +60,14 @@ CriterionResult evaluate_criterion(const Criterion& criterion, const TimeSeries&
   if (criterion.kind->has_limits) {
     const double low = trough(series), high = peak(series);
     const bool holds = (!criterion.min || low >= *criterion.min) && (!criterion.max || high <= *criterion.max);
-    return {holds, what + "from " + format_value(low) + " to " + format_value(high) + " (" +
-                       (criterion.min ? format_value(*criterion.min) : "") + ".." + (criterion.max ? format_value(*criterion.max) : "") +
-                       ")"};
+    return {holds, what + "from " + format_rounded(low) + " to " + format_rounded(high) + " (" +
+                       (criterion.min ? format_rounded(*criterion.min) : "") + ".." +
+                       (criterion.max ? format_rounded(*criterion.max) : "") + ")"};
   }
   const double evaluate = criterion.kind->evaluate(series), wanted = criterion.value.value_or(0.0);
-  const std::string target = criterion.kind->has_value ? format_value(wanted) + " +- " : "at most ";
+  const std::string target = criterion.kind->has_value ? format_rounded(wanted) + " +- " : "at most ";
   return {std::abs(evaluate - wanted) <= *criterion.within,
-          what + format_value(evaluate) + " (" + target + format_value(*criterion.within) + ")"};
+          what + format_rounded(evaluate) + " (" + target + format_rounded(*criterion.within) + ")"};
 }
 
 }  // namespace hooke

@@ -1,7 +1,6 @@
 // Points, springs and faces as plain lists, before they become part of a scene.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 

@@ -1,21 +1,12 @@
 #include "scene/parameter_value.h"
 
-#include <charconv>
-#include <cmath>
+#include "base/text_lines.h"
+#include "sim/control/automatic.h"
 
 namespace hooke {
 
-namespace {
-
-// None: not a number.
-std::optional<double> parse_number(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number = error != std::errc::invalid_argument && end == text.data() + text.size();
-  return is_number ? std::optional(error == std::errc() ? value : INFINITY) : std::nullopt;
-}
-
-}  // namespace
+std::string ids_of_integrators() { return joined(integrators(), &Integrator::id) + ", " + std::string(automatic_method().id); }
+std::string names_of_parameters() { return joined(parameters(), &Parameter::name); }
 
 std::optional<double> parse_value(const Parameter& parameter, std::string_view text) {
   if (parameter.kind == Parameter::Kind::Switch) {
@@ -30,17 +21,13 @@ std::optional<double> parse_value(const Parameter& parameter, std::string_view t
   }
   const std::optional<double> value = parse_number(text);
   const Bounds range{.min = parameter.min, .max = parameter.max};
-  const bool is_valid = value && std::isfinite(*value) && range.contains(*value) && clamp_to(parameter, *value) == *value;
+  const bool is_valid = value && range.contains(*value) && clamp_to(parameter, *value) == *value;
   return is_valid ? value : std::nullopt;
 }
 
 std::string limit_text(const Parameter& parameter) {
   if (parameter.kind == Parameter::Kind::Switch) return "must be on or off";
-  if (parameter.kind == Parameter::Kind::Choice) {
-    std::string ids;
-    for (const ParameterChoice& choice : parameter.choices) ids += (ids.empty() ? "" : ", ") + std::string(choice.id);
-    return "must be one of " + ids;
-  }
+  if (parameter.kind == Parameter::Kind::Choice) return "must be one of " + joined(parameter.choices, &ParameterChoice::id);
   const Bounds range{.min = parameter.min, .max = parameter.max};
   return (parameter.kind == Parameter::Kind::Integer ? "must be whole, and " : "") + range.text() +
          (parameter.unit.empty() ? "" : " [" + std::string(parameter.unit) + "]");

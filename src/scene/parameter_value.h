@@ -9,6 +9,10 @@
 
 namespace hooke {
 
+// The ids of all methods: "explicit_euler, ..."; the names of all parameters.
+std::string ids_of_integrators();
+std::string names_of_parameters();
+
 // A number in the range of the parameter, whole if it must be; the id of a choice; on or off. None for anything else.
 std::optional<double> parse_value(const Parameter& parameter, std::string_view text);
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "base/bounds.h"
+#include "base/text_lines.h"
 #include "scene/crossed_parts.h"
 #include "sim/contact/gap.h"
 
@@ -187,10 +187,8 @@ std::optional<Quantity> find_quantity(std::string_view name, Index points, Index
   if (row == rows.end() || (row->of == Of::Scene) != number.empty()) return std::nullopt;
   if (row->of == Of::Scene) return Quantity{&*row};
 
-  Index at = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), at);
-  const bool is_there = error == std::errc() && end == number.data() + number.size() && at < (row->of == Of::Point ? points : springs);
-  return is_there ? std::optional(Quantity{&*row, at}) : std::nullopt;
+  const auto at = parse_integer(number);
+  return at && *at < (row->of == Of::Point ? points : springs) ? std::optional(Quantity{&*row, *at}) : std::nullopt;
 }
 
 std::string names_in_range(std::string_view name, Index points, Index springs) {
@@ -204,16 +202,12 @@ std::string names_in_range(std::string_view name, Index points, Index springs) {
 }
 
 std::string parse_quantities(std::string_view list, Index points, Index springs, std::vector<Quantity>& quantities) {
-  for (bool is_last = false; !is_last;) {
-    const std::size_t comma = list.find(',');
-    is_last = comma == std::string_view::npos;
-    std::string_view name = list.substr(0, comma);
+  for (std::string_view name : split(list, ',')) {
     while (name.starts_with(' ')) name.remove_prefix(1);
     while (name.ends_with(' ')) name.remove_suffix(1);
     const auto quantity = find_quantity(name, points, springs);
     if (!quantity) return name.empty() ? "," : std::string(name);
     quantities.push_back(*quantity);
-    if (!is_last) list.remove_prefix(comma + 1);
   }
   return {};
 }

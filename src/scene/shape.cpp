@@ -1,7 +1,6 @@
 #include "scene/shape.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 

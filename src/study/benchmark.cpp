@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <ctime>
-#include <glm/geometric.hpp>
 
+#include "base/formatted.h"
+#include "base/threads/thread_time.h"
 #include "sim/control/frame_error.h"
 #include "sim/step/divergence.h"
 
@@ -36,12 +35,6 @@ double rms_distance(const System& system, const State& first, const State& secon
   return weighted_distance(system, first.position, second.position, 1.0).rms;
 }
 
-double cpu_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 Benchmark::Benchmark(const Problem& problem)
     : problem_(problem), frames_(frames_between_snapshots(problem, problem.frame_rate)), plan_(make_plan(problem.system)) {}
 
@@ -66,7 +59,7 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
   if (!plan_.spring.break_length.empty()) refresh_values(plan_, problem_.system);  // restores springs that broke in the previous run
 
   for (int i = 0; i < frames * snapshot_count; ++i) {
-    const double begin = cpu_seconds();
+    const double begin = thread_cpu_seconds();
     frame_.begin(plan_, problem_.system, settings, state);
     for (int calls = 1; !frame_.done(); ++calls) {
       frame_.substep(plan_);
@@ -80,7 +73,7 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
       result.end = frame_.failure() == StepFailure::MatrixTooLarge ? RunResult::End::TooLarge : RunResult::End::Diverged;
       return result;
     }
-    result.cpu_seconds += cpu_seconds() - begin;
+    result.cpu_seconds += thread_cpu_seconds() - begin;
     add(result, frame_.motion());
     if (is_auto) result.model_ms += frame_.cost(plan_);
 
@@ -100,12 +93,7 @@ Setting Benchmark::finer(const Setting& setting) const {
 }
 
 std::string Benchmark::name(const Setting& setting) const {
-  char text[64];
-  if (setting.tolerance)
-    std::snprintf(text, sizeof text, "tolerance %.0e", *setting.tolerance);
-  else
-    std::snprintf(text, sizeof text, "%.10g steps/s", 1.0 / step(setting));
-  return text;
+  return setting.tolerance ? formatted("tolerance %.0e", *setting.tolerance) : formatted("%.10g steps/s", 1.0 / step(setting));
 }
 
 }  // namespace hooke

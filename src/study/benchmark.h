@@ -71,7 +71,4 @@ class Benchmark {
 // RMS over the points of the distance between two states [m].
 double rms_distance(const System& system, const State& first, const State& second);
 
-// CPU time used by this thread [s]: the window compares methods while others of its threads work.
-double cpu_seconds();
-
 }  // namespace hooke

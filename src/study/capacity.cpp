@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/file_limits.h"
+#include "base/threads/thread_time.h"
 #include "study/kernels/kernel_cases.h"
 
 namespace hooke {
@@ -42,8 +43,8 @@ class CapacitySearch {
     constexpr double max_seconds = frames / capacity_frame_rate;
     Trial trial{.capacity = {.setting = setting, .frame_seconds = HUGE_VAL}};
     for (int i = 0; i < runs; ++i) {
-      const double begin = cpu_seconds();
-      const auto within_time = [&] { return cpu_seconds() - begin < 2.0 * max_seconds && should_continue_(); };
+      const double begin = thread_cpu_seconds();
+      const auto within_time = [&] { return thread_cpu_seconds() - begin < 2.0 * max_seconds && should_continue_(); };
       const RunResult result = benchmark_.run(method_, setting, within_time);
       if (result.end == RunResult::End::Stopped || result.end == RunResult::End::TooLarge) return {.outcome = Outcome::TooSlow};
       if (result.end == RunResult::End::Diverged) return {.outcome = Outcome::Inaccurate};

@@ -1,9 +1,8 @@
 #include "study/check_scene.h"
 
 #include <cmath>
-#include <cstdio>
-#include <memory>
 
+#include "base/formatted.h"
 #include "lab/lab.h"
 #include "scene/quantity.h"
 #include "sim/control/automatic.h"
@@ -15,9 +14,7 @@ namespace {
 
 // The estimated error and the warnings of the run.
 std::string describe_accuracy(const RunMonitor& monitor) {
-  char text[80];
-  std::snprintf(text, sizeof text, "; estimated error %.1g m in total", monitor.estimated_error());
-  std::string accuracy = text;
+  std::string accuracy = formatted("; estimated error %.1g m in total", monitor.estimated_error());
   for (const std::string& warning : monitor.warnings({})) accuracy += "; " + warning;
   return accuracy;
 }

@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "base/atomic_write.h"
 #include "base/file_limits.h"
 #include "base/number_text.h"
+#include "study/gnuplot.h"
+#include "study/work_precision_chart.h"
 
 namespace hooke {
 namespace {
@@ -74,6 +77,26 @@ std::optional<int> substeps_of(const Row& row, double frame_rate) {
   if (!row.step || !(*row.step > 0.0)) return std::nullopt;
   const double substeps = std::ceil(1.0 / (frame_rate * *row.step) * (1.0 - 1e-9));
   return static_cast<int>(std::clamp(substeps, 1.0, static_cast<double>(max_substeps)));
+}
+
+std::string write_comparison(const MethodComparison& comparison, const std::filesystem::path& file) {
+  const Results results{.conditions = {}, .date = {}, .problems = {comparison.record}};
+  const std::filesystem::path extension = file.extension();
+  try {
+    if (extension == ".csv") {
+      write_atomically(file, format_csv(results));
+    } else if (extension == ".json") {
+      write_atomically(file, format_results(results));
+    } else if (extension == ".svg" || extension == ".png") {
+      const ChartFormat format = extension == ".svg" ? ChartFormat::Svg : ChartFormat::Png;
+      return draw_chart(chart_script(results, format), file).value_or("");
+    } else {
+      return "no such format: must be .svg, .png, .csv or .json";
+    }
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
 }
 
 }  // namespace hooke

@@ -1,6 +1,8 @@
 // Cost against error of every method on a scene as it is now: what the chart "Compare methods" shows.
 #pragma once
 
+#include <filesystem>
+
 #include "base/progress.h"
 #include "sim/model/settings.h"
 #include "study/work_precision.h"
@@ -23,5 +25,9 @@ inline constexpr Effort comparison_effort{.repeats = 2, .run_seconds = 0.4, .ref
 
 // The substeps of a frame that take at most the step of this row; none for an adaptive method.
 std::optional<int> substeps_of(const Row& row, double frame_rate);
+
+// Writes a comparison to a file, in the formats of `hooke bench`, by its extension: .csv and .json values, .svg and .png the chart, which
+// needs gnuplot. Returns the reason in one line if it cannot be written, else an empty string.
+std::string write_comparison(const MethodComparison& comparison, const std::filesystem::path& file);
 
 }  // namespace hooke

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <random>
 #include <utility>
 
+#include "base/formatted.h"
+#include "base/threads/thread_time.h"
 #include "sim/contact/contact.h"
 #include "sim/forces/energy/energy.h"
 
@@ -69,8 +70,8 @@ Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
 std::optional<Refinement> refine(Benchmark& benchmark, const Integrator& method, double seconds,
                                  const std::function<bool()>& should_continue) {
   const Problem& problem = benchmark.problem();
-  const double begin = cpu_seconds();
-  const auto within_time = [&] { return cpu_seconds() - begin < 2.0 * seconds && should_continue(); };
+  const double begin = thread_cpu_seconds();
+  const auto within_time = [&] { return thread_cpu_seconds() - begin < 2.0 * seconds && should_continue(); };
   Setting setting = first_setting(benchmark, method);
   RunResult coarse = benchmark.run(method, setting, within_time);
   if (coarse.end == RunResult::End::Stopped || coarse.end == RunResult::End::TooLarge) return std::nullopt;
@@ -163,18 +164,12 @@ std::vector<const Integrator*> most_accurate_methods(const Problem& problem) {
 
 namespace {
 
-std::string number(double value) {
-  char text[24];
-  std::snprintf(text, sizeof text, "%.0e", value);
-  return text;
-}
-
 std::string describe_disagreement(const Reference& reference) {
   const auto refinement = [](const Refinement& one) {
-    return std::string(one.method->id) + " at " + one.setting_name + " (half the precision changes it by " + number(one.gap) + ")";
+    return std::string(one.method->id) + " at " + one.setting_name + formatted(" (half the precision changes it by %.0e)", one.gap);
   };
-  return refinement(reference.own) + " and " + refinement(reference.other) + " differ by " + number(reference.other_gap) +
-         ", relative to the scene; at most " + number(max_observables_gap) + " is accepted";
+  return refinement(reference.own) + " and " + refinement(reference.other) +
+         formatted(" differ by %.0e, relative to the scene; at most %.0e is accepted", reference.other_gap, max_observables_gap);
 }
 
 // Compares the two solutions by observables instead of the trajectory.
@@ -205,9 +200,7 @@ ReferenceResult compute_reference(Benchmark& benchmark, double seconds, const st
       failed += (failed.empty() ? "" : ", ") + std::string(methods[i]->id);
   }
   if (refinements.size() < 2) {
-    char limit[32];
-    std::snprintf(limit, sizeof limit, "%.3g", seconds);
-    return {.failure = NotFinished, .reason = "no two successive settings reached the end within " + std::string(limit) + " s: " + failed};
+    return {.failure = NotFinished, .reason = formatted("no two successive settings reached the end within %.3g s: ", seconds) + failed};
   }
 
   Reference reference{.own = std::move(refinements[0]), .other = std::move(refinements[1]), .measure = problem.measure};

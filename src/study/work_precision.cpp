@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
+
+#include "base/threads/thread_time.h"
 
 namespace hooke {
 namespace {
@@ -12,14 +13,9 @@ bool reached_end(const Row& row) { return row.relative_error.has_value(); }
 
 bool is_stable(const Row& row) { return reached_end(row) && row.status != status::lost; }
 
-std::ptrdiff_t method_index(const std::string& method) {
-  const auto methods = integrators();
-  return std::ranges::find(methods, method, &Integrator::id) - methods.begin();
-}
-
 void sort_rows(std::vector<Row>& rows) {
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-    const auto key = [](const Row& row) { return std::pair(method_index(row.method), -row.step.value_or(row.tolerance.value_or(0.0))); };
+    const auto key = [](const Row& row) { return std::pair(method_index(row), -row.step.value_or(row.tolerance.value_or(0.0))); };
     return key(a) < key(b);
   });
 }
@@ -33,6 +29,11 @@ Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
 }
 
 }  // namespace
+
+std::ptrdiff_t method_index(const Row& row) {
+  const auto methods = integrators();
+  return std::ranges::find(methods, row.method, &Integrator::id) - methods.begin();
+}
 
 ProblemRecord make_record(const Problem& problem) {
   return {.id = problem.id,
@@ -128,8 +129,8 @@ std::optional<Row> PrecisionSweep::measure_row(const Integrator& method, const S
   if (!setting.tolerance) row.step = benchmark_.step(setting);
 
   // abandon a run that takes far longer than the sweep allows
-  double begin = cpu_seconds();
-  const auto within_time = [&] { return should_continue() && cpu_seconds() - begin < 5.0 * effort_.run_seconds; };
+  double begin = thread_cpu_seconds();
+  const auto within_time = [&] { return should_continue() && thread_cpu_seconds() - begin < 5.0 * effort_.run_seconds; };
   RunResult result = benchmark_.run(method, setting, within_time);
   if (!should_continue()) return std::nullopt;
   row.work = result.work;
@@ -143,7 +144,7 @@ std::optional<Row> PrecisionSweep::measure_row(const Integrator& method, const S
   // the minimum time of several runs, as many as fit in the time of one long run
   double min = result.cpu_seconds, spent = min;
   while (row.runs < effort_.repeats && spent + min < effort_.run_seconds) {
-    begin = cpu_seconds();
+    begin = thread_cpu_seconds();
     const RunResult again = benchmark_.run(method, setting, within_time);
     if (again.end != RunResult::End::Finished) return std::nullopt;
     spent += again.cpu_seconds;

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -62,6 +61,9 @@ struct ProblemRecord {
 };
 
 ProblemRecord make_record(const Problem& problem);
+
+// The place of a row in the table of integrators; that of other engines is after it.
+std::ptrdiff_t method_index(const Row& row);
 
 // Limits on the work.
 struct Effort {

@@ -1,5 +1,5 @@
-// The benchmark chart, as a gnuplot script: one panel per problem, error against cost on logarithmic axes, one line per method with its
-// name at the end, and the Pareto front.
+// The benchmark chart, as a gnuplot script: one panel per problem, error against cost on logarithmic axes, one line per method, and the
+// Pareto front.
 #pragma once
 
 #include <string>

@@ -1,20 +1,21 @@
 #include "study/work_precision_file.h"
 
-#include <rapidjson/document.h>
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
-
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
 
 #include "base/csv_field.h"
+#include "base/file_limits.h"
+#include "base/json_field.h"
+#include "base/json_text.h"
+#include "base/json_writer.h"
 
 namespace hooke {
 namespace {
 
-using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
+using Layout = JsonWriter::Layout;
 
 const char* name_of(Measure measure) { return measure == Measure::Trajectory ? "trajectory" : "observables"; }
 
@@ -82,51 +83,26 @@ void visit_results(Record& results, const Visit& visit) {
 
 class FieldWriter {
  public:
-  explicit FieldWriter(Writer& writer) : writer_(writer) {}
-
-  void operator()(const char* key, const std::string& text) const {
-    writer_.Key(key);
-    writer_.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
-  }
-  void operator()(const char* key, std::optional<double> number) const {
-    writer_.Key(key);
-    if (number && std::isfinite(*number))
-      writer_.Double(*number);
-    else
-      writer_.Null();
-  }
-  void operator()(const char* key, double number) const { (*this)(key, std::optional(number)); }
-  void operator()(const char* key, std::integral auto number) const {
-    writer_.Key(key);
-    writer_.Int64(static_cast<std::int64_t>(number));
-  }
-  void operator()(const char* key, bool value) const {
-    writer_.Key(key);
-    writer_.Bool(value);
-  }
-  void operator()(const char* key, Measure measure) const { (*this)(key, std::string(name_of(measure))); }
+  explicit FieldWriter(JsonWriter& json) : json_(json) {}
+  void operator()(const char* key, const std::string& text) const { json_.text(key, text); }
+  void operator()(const char* key, const std::optional<double>& number) const { json_.number(key, number); }
+  void operator()(const char* key, double number) const { json_.number(key, std::optional(number)); }
+  void operator()(const char* key, std::integral auto number) const { json_.integer(key, static_cast<std::int64_t>(number)); }
+  void operator()(const char* key, bool value) const { json_.boolean(key, value); }
+  void operator()(const char* key, Measure measure) const { json_.text(key, name_of(measure)); }
 
  private:
-  Writer& writer_;
+  JsonWriter& json_;
 };
 
 // Reads the output of a FieldWriter; anything else is refused with the name of the field.
 class FieldReader {
  public:
-  FieldReader(const rapidjson::Value& object, const std::string& name) : object_(object), name_(name) {
-    if (!object.IsObject()) refuse("an object is missing");
-  }
+  explicit FieldReader(const JsonField& object) : object_(object) {}
 
-  void operator()(const char* key, std::string& text) const {
-    const rapidjson::Value& value = at(key);
-    if (!value.IsString()) refuse(std::string(key) + ": not a string");
-    text.assign(value.GetString(), value.GetStringLength());
-  }
+  void operator()(const char* key, std::string& text) const { text = at(key).text(); }
   void operator()(const char* key, std::optional<double>& number) const {
-    const rapidjson::Value& value = at(key);
-    if (value.IsNull()) return;
-    if (!value.IsNumber()) refuse(std::string(key) + ": not a number");
-    number = value.GetDouble();
+    if (const JsonField field = at(key); !field.is_null()) number = field.number();
   }
   void operator()(const char* key, double& number) const {
     std::optional<double> known;
@@ -134,141 +110,119 @@ class FieldReader {
     number = known.value_or(NAN);
   }
   void operator()(const char* key, std::integral auto& number) const {
-    const rapidjson::Value& value = at(key);
-    if (!value.IsInt64()) refuse(std::string(key) + ": not a whole number");
-    number = static_cast<std::decay_t<decltype(number)>>(value.GetInt64());
+    number = static_cast<std::decay_t<decltype(number)>>(at(key).integer(0, std::int64_t{1} << 53));
   }
-  void operator()(const char* key, bool& is_set) const {
-    const rapidjson::Value& value = at(key);
-    if (!value.IsBool()) refuse(std::string(key) + ": not true or false");
-    is_set = value.GetBool();
-  }
+  void operator()(const char* key, bool& is_set) const { is_set = at(key).boolean(); }
   void operator()(const char* key, Measure& measure) const {
-    std::string text;
-    (*this)(key, text);
-    measure = text == name_of(Measure::Trajectory) ? Measure::Trajectory : Measure::Observables;
+    measure = at(key).text() == name_of(Measure::Trajectory) ? Measure::Trajectory : Measure::Observables;
   }
-  bool has(const char* key) const { return object_.HasMember(key); }
-  const rapidjson::Value& list(const char* key) const {
-    const rapidjson::Value& value = at(key);
-    if (!value.IsArray()) refuse(std::string(key) + ": not a list");
-    return value;
+  // None: there is none of this name.
+  std::optional<JsonField> find(const char* key) const {
+    for (const JsonField member : object_.members())
+      if (member.is(key)) return member;
+    return std::nullopt;
   }
-  std::optional<FieldReader> object(const char* key) const {
-    const rapidjson::Value& value = at(key);
-    if (value.IsNull()) return std::nullopt;
-    return FieldReader(value, name_);
+  JsonField at(const char* key) const {
+    if (const auto member = find(key)) return *member;
+    object_.refuse_missing(key, "not benchmark results");
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& why) const { throw InputError(name_ + ": " + why + ": not benchmark results"); }
-  const rapidjson::Value& at(const char* key) const {
-    const auto member = object_.FindMember(key);
-    if (member == object_.MemberEnd()) refuse(std::string(key) + ": missing");
-    return member->value;
-  }
-
-  const rapidjson::Value& object_;
-  const std::string& name_;
+  const JsonField& object_;
 };
 
-void write_problem(Writer& writer, const ProblemRecord& problem) {
-  const FieldWriter fields(writer);
-  char print[17] = {};
-  std::to_chars(print, print + 16, problem.fingerprint, 16);
-  writer.StartObject();
-  visit_problem(problem, fields);
-  fields("fingerprint", std::string(print));
-  writer.Key("reference");
-  if (problem.reference) {
-    writer.StartObject();
-    visit_reference(*problem.reference, fields);
-    writer.EndObject();
-  } else {
-    writer.Null();
-  }
-  writer.Key("rows");
-  writer.StartArray();
-  for (const Row& row : problem.rows) {
-    writer.StartObject();
-    visit_row(row, fields);
-    writer.EndObject();
-  }
-  writer.EndArray();
-  writer.EndObject();
+// Calls `read` for every item of a list.
+template <class Read>
+void read_list(const JsonField& list, const Read& read) {
+  for (const JsonField item : list.items(0, max_values_per_item)) read(item);
 }
 
-ProblemRecord read_problem(const FieldReader& fields, const std::string& name) {
+void write_problem(JsonWriter& json, const ProblemRecord& problem) {
+  const FieldWriter fields(json);
+  char print[17] = {};
+  std::to_chars(print, print + 16, problem.fingerprint, 16);
+  json.begin_object(Layout::Lines);
+  visit_problem(problem, fields);
+  json.text("fingerprint", print);
+  if (problem.reference) {
+    json.begin_object("reference", Layout::Lines);
+    visit_reference(*problem.reference, fields);
+    json.end();
+  } else {
+    json.null("reference");
+  }
+  json.begin_list("rows", Layout::Lines);
+  for (const Row& row : problem.rows) {
+    json.begin_object(Layout::Line);
+    visit_row(row, fields);
+    json.end();
+  }
+  json.end();
+  json.end();
+}
+
+ProblemRecord read_problem(const JsonField& object) {
+  const FieldReader fields(object);
   ProblemRecord problem;
   visit_problem(problem, fields);
   std::string print;
   fields("fingerprint", print);
   std::from_chars(print.data(), print.data() + print.size(), problem.fingerprint, 16);
-  if (const std::optional<FieldReader> reference = fields.object("reference")) visit_reference(problem.reference.emplace(), *reference);
-  for (const rapidjson::Value& row : fields.list("rows").GetArray()) visit_row(problem.rows.emplace_back(), FieldReader(row, name));
+  if (const JsonField reference = fields.at("reference"); !reference.is_null())
+    visit_reference(problem.reference.emplace(), FieldReader(reference));
+  read_list(fields.at("rows"), [&](const JsonField& row) { visit_row(problem.rows.emplace_back(), FieldReader(row)); });
   return problem;
 }
 
-PartRecord read_part(const FieldReader& fields, const std::string& name) {
+PartRecord read_part(const JsonField& object) {
   PartRecord part;
-  visit_part(part, fields);
+  visit_part(part, FieldReader(object));
   if (part.number < 1 || part.number > part.count || part.count > max_part_records)
-    throw InputError(name + ": parts: number must be from 1 to count, and count at most " + std::to_string(max_part_records));
+    object.refuse("number must be from 1 to count, and count at most " + std::to_string(max_part_records));
   return part;
 }
 
-// the shortest digits that read back as the same number
-void append(std::string& line, std::optional<double> number) {
+void append(std::string& line, const std::optional<double>& number) {
   line += ',';
-  if (!number || !std::isfinite(*number)) return;
-  char text[32];
-  line.append(text, std::to_chars(text, text + sizeof text, *number).ptr);
+  if (number && std::isfinite(*number)) line += format_exact(*number);
 }
 
 }  // namespace
 
 std::string format_results(const Results& results) {
-  rapidjson::StringBuffer buffer;
-  Writer writer(buffer);
-  writer.SetIndent(' ', 1);
-  const FieldWriter fields(writer);
-  writer.StartObject();
+  JsonWriter json;
+  const FieldWriter fields(json);
+  json.begin_object(Layout::Lines);
   fields("hooke_bench", 1);
   visit_results(results, fields);
   if (!results.parts.empty()) {
-    writer.Key("parts");
-    writer.StartArray();
+    json.begin_list("parts", Layout::Lines);
     for (const PartRecord& part : results.parts) {
-      writer.StartObject();
+      json.begin_object(Layout::Line);
       visit_part(part, fields);
-      writer.EndObject();
+      json.end();
     }
-    writer.EndArray();
+    json.end();
   }
-  writer.Key("scenes");
-  writer.StartArray();
-  for (const ProblemRecord& problem : results.problems) write_problem(writer, problem);
-  writer.EndArray();
-  writer.EndObject();
-  return std::string(buffer.GetString(), buffer.GetSize()) + '\n';
+  json.begin_list("scenes", Layout::Lines);
+  for (const ProblemRecord& problem : results.problems) write_problem(json, problem);
+  json.end();
+  json.end();
+  return json.take() + '\n';
 }
 
 Results parse_results(const std::string& text, const std::string& name) {
-  rapidjson::Document document;
-  document.Parse<rapidjson::kParseIterativeFlag | rapidjson::kParseFullPrecisionFlag | rapidjson::kParseValidateEncodingFlag>(text.data(),
-                                                                                                                              text.size());
-  if (document.HasParseError())
-    throw InputError(name + ": byte " + std::to_string(document.GetErrorOffset()) + ": not JSON: not benchmark results");
-  const FieldReader fields(document, name);
-  long version = 0;
-  fields("hooke_bench", version);
+  const auto accept = [](auto&&...) {};
+  walk_json(text, name, {.is_list = [](std::string_view key) { return key == "scenes"; }, .item = accept, .member = accept});
+  JsonParser parser;
+  const JsonField object(name, "results", parser.parse(text));
+  const FieldReader fields(object);
+  fields.at("hooke_bench");
   Results results;
   visit_results(results, fields);
   // earlier files have none
-  if (fields.has("parts"))
-    for (const rapidjson::Value& part : fields.list("parts").GetArray()) results.parts.push_back(read_part(FieldReader(part, name), name));
-  for (const rapidjson::Value& problem : fields.list("scenes").GetArray())
-    results.problems.push_back(read_problem(FieldReader(problem, name), name));
+  if (const auto parts = fields.find("parts")) read_list(*parts, [&](const JsonField& part) { results.parts.push_back(read_part(part)); });
+  read_list(fields.at("scenes"), [&](const JsonField& problem) { results.problems.push_back(read_problem(problem)); });
   return results;
 }
 
@@ -287,6 +241,99 @@ std::string format_csv(const Results& results) {
       text += ',' + row.status + '\n';
     }
   return text;
+}
+
+namespace {
+
+void add(ProblemRecord& record, const ProblemRecord& part) {
+  if (!record.reference) record.reference = part.reference;
+  for (const Row& row : part.rows) {
+    const bool is_known =
+        std::ranges::any_of(record.rows, [&](const Row& other) { return other.method == row.method && other.setting == row.setting; });
+    if (!is_known) record.rows.push_back(row);
+  }
+}
+
+// Built-in problems come in the order of their table, others after them in the order of the files.
+std::size_t place_of(const ProblemRecord& record) {
+  const auto table = built_in_problems();
+  return static_cast<std::size_t>(std::ranges::find(table, record.id, &BuiltInProblem::id) - table.begin());
+}
+
+void add_parts(std::vector<PartRecord>& known, const std::vector<PartRecord>& parts) {
+  for (const PartRecord& part : parts) {
+    const auto same = std::ranges::find_if(known, [&](const PartRecord& other) { return other.is_same(part); });
+    if (same == known.end())
+      known.push_back(part);
+    else
+      same->is_complete = same->is_complete || part.is_complete;
+  }
+}
+
+// A division of the same scenes and methods into so many parts.
+struct Division {
+  enum class Part : char { Missing, Begun, Complete };
+  std::string of;
+  std::vector<Part> parts;
+  bool is_complete() const { return std::ranges::count(parts, Part::Complete) == std::ssize(parts); }
+};
+
+std::vector<Division> divisions_of(const std::vector<PartRecord>& parts) {
+  std::vector<Division> divisions;
+  for (const PartRecord& part : parts) {
+    const auto is_of = [&](const Division& division) { return division.of == part.of && division.parts.size() == part.count; };
+    auto known = std::ranges::find_if(divisions, is_of);
+    if (known == divisions.end()) known = divisions.insert(known, {part.of, std::vector(part.count, Division::Part::Missing)});
+    known->parts[part.number - 1] = part.is_complete ? Division::Part::Complete : Division::Part::Begun;
+  }
+  return divisions;
+}
+
+// Of scenes and methods that were divided in several ways, one that is complete is enough.
+std::string describe_missing(const std::vector<PartRecord>& parts) {
+  constexpr std::size_t max_listed = 10;
+  const std::vector<Division> divisions = divisions_of(parts);
+  std::string text;
+  std::size_t listed = 0, others = 0;
+  for (const Division& division : divisions) {
+    const auto is_done = [&](const Division& other) { return other.of == division.of && other.is_complete(); };
+    if (std::ranges::any_of(divisions, is_done)) continue;
+    for (std::size_t i = 0; i < division.parts.size(); ++i) {
+      if (division.parts[i] == Division::Part::Complete || (listed >= max_listed && ++others > 0)) continue;
+      text += (listed++ > 0 ? ", shard " : "shard ") + std::to_string(i + 1) + '/' + std::to_string(division.parts.size()) +
+              (division.parts[i] == Division::Part::Begun ? " is not finished" : " is missing");
+    }
+  }
+  return others == 0 ? text : text + ", and " + std::to_string(others) + " more";
+}
+
+}  // namespace
+
+MergedResults merge_results(const std::vector<std::pair<std::string, Results>>& parts) {
+  Results merged;
+  std::string unknown;
+  for (const auto& [name, part] : parts) {
+    if (&part == &parts.front().second) merged.conditions = part.conditions;
+    if (part.conditions != merged.conditions)
+      throw InputError(name + ": measured with another build, machine or effort than " + parts.front().first);
+    merged.date = std::max(merged.date, part.date);
+    if (part.parts.empty()) unknown = name + " does not say which shard it is";
+    add_parts(merged.parts, part.parts);
+    for (const ProblemRecord& problem : part.problems) {
+      const auto known = std::ranges::find(merged.problems, problem.id, &ProblemRecord::id);
+      if (known == merged.problems.end()) {
+        merged.problems.push_back(problem);
+        continue;
+      }
+      if (known->fingerprint != problem.fingerprint) throw InputError(name + ": " + problem.id + ": another scene of the same name");
+      add(*known, problem);
+    }
+  }
+  // rows of a method stay in their order, coarsest first
+  for (ProblemRecord& record : merged.problems) std::ranges::stable_sort(record.rows, {}, method_index);
+  std::ranges::stable_sort(merged.problems, {}, place_of);
+  std::string missing = unknown.empty() ? describe_missing(merged.parts) : unknown;
+  return {std::move(merged), std::move(missing)};
 }
 
 }  // namespace hooke

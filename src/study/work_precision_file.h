@@ -1,9 +1,8 @@
 // Benchmark results on disk: bench.json, from which an interrupted benchmark resumes, and bench.csv.
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/errors.h"
@@ -46,5 +45,14 @@ Results parse_results(const std::string& text, const std::string& name);
 // One line per row, below a line with the names of the columns: scene, method, setting, step_s, error_m, relative_error, cpu_ms_per_s,
 // force_evaluations, factorizations, energy_drift, status. Empty if a number is unknown.
 std::string format_csv(const Results& results);
+
+struct MergedResults {
+  Results results;
+  std::string missing;  // the parts that are missing or not finished, in one clause; empty: none
+};
+
+// The results with the names of their files. Of a row that several of them have, the first counts. Throws InputError if they were measured
+// under different conditions or if a problem differs.
+MergedResults merge_results(const std::vector<std::pair<std::string, Results>>& parts);
 
 }  // namespace hooke

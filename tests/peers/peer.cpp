@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "base/threads/thread_time.h"
 #include "sim/plan/plan.h"
 #include "sim/step/step.h"
 #include "study/benchmark.h"
@@ -67,6 +68,6 @@ bool is_lost(const State& state, const Problem& problem) {
   return !std::isfinite(distance) || distance > 1e6 * problem.size;
 }
 
-double thread_seconds() { return cpu_seconds(); }
+double thread_seconds() { return thread_cpu_seconds(); }
 
 }  // namespace hooke

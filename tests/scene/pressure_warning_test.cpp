@@ -1,4 +1,4 @@
-#include "scene/warnings/pressure_warning.h"
+#include "scene/warnings/warnings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/warnings/small_collider_warning.h"
+#include "scene/warnings/warnings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The chart of a comparison of methods as a file: vector or pixel image, table, results that `bench` reads.
-#include "study/comparison_file.h"
+#include "study/compare_methods.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "sim/control/automatic.h"
 #include "sim/methods/rows.h"
@@ -124,7 +125,7 @@ TEST(RunMonitor, DistinguishesAGainOfEnergyFromALoss) {
   EXPECT_EQ(doubts_of("velocity_verlet", 5.0), "");
 }
 
-// Planted cases: one holds, one fails silently, one throws, one does not concern a method.
+// Planted cases: one holds, one fails silently, one throws.
 Verdict judge_held(const Integrator&) { return {.measured = "fine"}; }
 Verdict judge_silent(const Integrator& row) {
   if (row.id != "xpbd") return {};
@@ -143,15 +144,8 @@ Verdict judge_endless(const Integrator&) {
 constexpr HardCase held{.number = 1, .name = "Held", .parameters = "p", .criterion = "c", .judge = judge_held};
 constexpr HardCase silent{
     .number = 2, .name = "Silent", .parameters = "p", .criterion = "c", .slow_under = method_list<xpbd, tr_bdf2>, .judge = judge_silent};
-constexpr HardCase thrown{.number = 3,
-                          .name = "Thrown",
-                          .parameters = "p",
-                          .criterion = "c",
-                          .remark = "r",
-                          .concerns = Concerns::NoMethod,
-                          .judge = judge_thrown};
-constexpr HardCase endless{
-    .number = 4, .name = "Endless", .parameters = "p", .criterion = "c", .concerns = Concerns::NoMethod, .judge = judge_endless};
+constexpr HardCase thrown{.number = 3, .name = "Thrown", .parameters = "p", .criterion = "c", .remark = "r", .judge = judge_thrown};
+constexpr HardCase endless{.number = 4, .name = "Endless", .parameters = "p", .criterion = "c", .judge = judge_endless};
 
 std::vector<CaseResult> run_planted(int threads) {
   const std::array cases{&held, &silent, &thrown};
@@ -164,8 +158,8 @@ std::vector<CaseResult> run_planted(int threads) {
 TEST(HardCases, PlantedFailuresAreDetectedForAnyNumberOfThreads) {
   for (const int threads : {1, 4}) {
     const std::vector<CaseResult> results = run_planted(threads);
-    ASSERT_EQ(results.size(), 7u);
-    EXPECT_EQ(count_broken(results), 2);
+    ASSERT_EQ(results.size(), 9u);
+    EXPECT_EQ(count_broken(results), 4);
     EXPECT_EQ(results[4].method->id, "xpbd");
     EXPECT_TRUE(is_broken(results[4].verdict));
     EXPECT_EQ(results[6].verdict.reason, "threw: a planted error");
@@ -184,14 +178,14 @@ TEST(HardCases, TheQuickSubsetContainsTheCheapOnes) {
 
 TEST(HardCases, InterruptedOnesStayUnfinished) {
   const std::array cases{&endless};
-  std::vector<CaseResult> results = list_cases(cases, {}, false);
+  std::vector<CaseResult> results = list_cases(cases, std::array{&method("velocity_verlet")}, false);
   run_cases(results, 1, [](long, long) { return false; });
   ASSERT_EQ(results.size(), 1u);
   EXPECT_FALSE(results[0].finished);
   EXPECT_EQ(count_broken(results), 0);
   EXPECT_NE(format_table(results).find("1 not run"), std::string::npos);
   // the next run is not affected
-  EXPECT_EQ(count_broken(run_planted(1)), 2);
+  EXPECT_EQ(count_broken(run_planted(1)), 4);
 }
 
 TEST(HardCases, AreTheConstantsOfTheirFiles) { EXPECT_EQ(&stiff_spring_case, &hard_cases()[0]); }
@@ -200,11 +194,11 @@ TEST(HardCases, AreComplete) {
   int number = 0;
   std::set<std::string_view> names;
   for (const HardCase& row : hard_cases()) {
-    EXPECT_EQ(row.number, ++number);
+    EXPECT_GT(row.number, std::exchange(number, row.number));
     EXPECT_TRUE(names.insert(row.name).second) << row.name;
     EXPECT_FALSE(row.parameters.empty() || row.criterion.empty() || row.judge == nullptr) << row.name;
   }
-  EXPECT_GE(number, 27);
+  EXPECT_GE(hard_cases().size(), 27u);
 }
 
 TEST(CaseReport, FitsATerminalAndNamesUnexpectedResults) {
@@ -213,7 +207,7 @@ TEST(CaseReport, FitsATerminalAndNamesUnexpectedResults) {
   for (std::string line; std::getline(lines, line);)
     EXPECT_TRUE(line.size() <= table_width || line.find_first_of(' ', 4) == std::string::npos) << line;
   EXPECT_NE(table.find("! 2 Silent, xpbd: failed silently, expected to hold;"), std::string::npos) << table;
-  EXPECT_NE(table.find("7 results: 5 held, 0 failed openly, 0 out of scope, 2 unexpected"), std::string::npos) << table;
+  EXPECT_NE(table.find("9 results: 5 held, 0 failed openly, 0 out of scope, 4 unexpected"), std::string::npos) << table;
 }
 
 TEST(CaseReport, SeparatesAllWords) {
@@ -227,7 +221,7 @@ TEST(CaseReport, IsAvailableAsJson) {
   rapidjson::Document document;
   document.Parse(format_json(run_planted(1)).c_str());
   ASSERT_FALSE(document.HasParseError());
-  EXPECT_EQ(document["broken"].GetInt(), 2);
+  EXPECT_EQ(document["broken"].GetInt(), 4);
   EXPECT_EQ(document["unfinished"].GetInt(), 0);
   ASSERT_EQ(document["cases"].Size(), 3u);
   const auto& silent_case = document["cases"][1];

@@ -7,10 +7,8 @@
 #include <map>
 #include <sstream>
 
-#include "study/label_placement.h"
 #include "study/work_precision_chart.h"
 #include "study/work_precision_file.h"
-#include "study/work_precision_merge.h"
 #include "support/bench_problem.h"
 
 namespace hooke {
@@ -195,7 +193,7 @@ TEST(BenchChart, TheScriptDrawsAndNamesEveryMethod) {
   const std::string script = chart_script(results_of(swept_record()), ChartFormat::Svg);
   for (const Integrator& method : integrators()) {
     EXPECT_NE(script.find("$panel0_" + std::string(method.id) + " with linespoints"), std::string::npos) << method.id;
-    EXPECT_NE(script.find("set label '" + std::string(method.id) + "' at"), std::string::npos) << method.id;
+    EXPECT_NE(script.find("title '" + std::string(method.id) + "'"), std::string::npos) << method.id;
   }
   EXPECT_NE(script.find("$panel0_front with lines"), std::string::npos);
 }
@@ -210,7 +208,7 @@ TEST(BenchChart, DrawsOtherEnginesBesideTheMethods) {
     record.rows.push_back(row);
   }
   const std::string script = chart_script(results_of(record), ChartFormat::Svg);
-  for (const char* text : {"set label 'lammps' at", "set label 'another' at"}) {
+  for (const char* text : {"title 'lammps'", "title 'another'"}) {
     const auto at = script.find(text);
     ASSERT_NE(at, std::string::npos) << text;
     EXPECT_EQ(script.find(text, at + 1), std::string::npos) << text;
@@ -233,14 +231,6 @@ TEST(BenchChart, ANameCannotEndItsQuotes) {
     EXPECT_EQ(std::count(line.begin(), line.end(), '\'') % 2, 0) << line;
     EXPECT_FALSE(line.starts_with("system")) << line;
   }
-}
-
-TEST(BenchChart, LabelsDoNotOverlap) {
-  const std::vector<ChartLabel> labels(6, {{100.0, 100.0}, 90.0, 15.0});
-  const std::vector<PlacedLabel> places = place_labels(labels, {}, {0.0, 0.0, 400.0, 400.0});
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      EXPECT_TRUE(places[i].justify != places[j].justify || std::abs(places[i].at.y - places[j].at.y) >= 14.9) << i << ", " << j;
 }
 
 }  // namespace

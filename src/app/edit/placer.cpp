@@ -12,7 +12,7 @@
 #include "base/printable.h"
 #include "edit/copy_selection.h"
 #include "formats/mesh/mesh_cloth.h"
-#include "scene/warnings/small_collider_warning.h"
+#include "scene/warnings/warnings.h"
 
 namespace hooke {
 namespace {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/atomic_write.h"
-#include "batch/output_folder.h"
+#include "batch/output_file.h"
 #include "batch/sweep/sweep_chart.h"
 #include "batch/sweep/sweep_report.h"
 #include "study/gnuplot.h"

@@ -6,7 +6,7 @@
 
 #include "base/formatted.h"
 #include "scene/parameter_value.h"
-#include "study/gnuplot_text.h"
+#include "study/gnuplot.h"
 
 namespace hooke {
 namespace {

@@ -30,9 +30,8 @@ std::string format_row(const SweepRow& row) {
   json.integer("row", static_cast<std::int64_t>(row.row));
   json.text("status", sweep_status_name(row.status));
   json.text("note", row.note);
-  json.key("values");
-  json.begin_list(JsonWriter::Layout::Line);
-  for (const std::optional<double>& value : row.values) value ? json.number(*value) : json.null();
+  json.begin_list("values", JsonWriter::Layout::Line);
+  for (const std::optional<double>& value : row.values) json.number(value);
   json.end();
   json.end();
   return json.take() + "\n";
@@ -128,20 +127,17 @@ std::string format_definition(const Sweep& sweep) {
   json.text("scene", sweep.scene);
   json.text("fingerprint", formatted("%016llx", static_cast<unsigned long long>(sweep.fingerprint)));
   json.number("seconds", sweep.seconds);
-  json.key("vary");
-  json.begin_list(JsonWriter::Layout::Line);
+  json.begin_list("vary", JsonWriter::Layout::Line);
   for (const SweepAxis& axis : sweep.axes) {
     json.begin_object(JsonWriter::Layout::Line);
     json.text("name", axis.parameter->name);
-    json.key("values");
-    json.begin_list(JsonWriter::Layout::Line);
+    json.begin_list("values", JsonWriter::Layout::Line);
     for (const double value : axis.values) json.text(value_text(*axis.parameter, value));
     json.end();
     json.end();
   }
   json.end();
-  json.key("measures");
-  json.begin_list(JsonWriter::Layout::Line);
+  json.begin_list("measures", JsonWriter::Layout::Line);
   for (const SweepMeasure& measure : sweep.measures) json.text(measure.name);
   json.end();
   json.end();

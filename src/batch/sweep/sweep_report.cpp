@@ -60,21 +60,18 @@ std::string format_sweep_json(const Sweep& sweep, const SweepRows& rows) {
   json.integer("hooke_sweep", 1);
   json.text("scene", sweep.scene);
   json.number("seconds", sweep.seconds);
-  json.key("vary");
-  json.begin_list(TableLayout::Lines);
+  json.begin_list("vary", TableLayout::Lines);
   for (const SweepAxis& axis : sweep.axes) {
     json.begin_object(TableLayout::Line);
     json.text("name", axis.parameter->name);
     json.text("unit", axis.parameter->unit);
-    json.key("values");
-    json.begin_list(TableLayout::Line);
+    json.begin_list("values", TableLayout::Line);
     for (const double value : axis.values) write_value(json, *axis.parameter, value);
     json.end();
     json.end();
   }
   json.end();
-  json.key("measures");
-  json.begin_list(TableLayout::Lines);
+  json.begin_list("measures", TableLayout::Lines);
   for (const SweepMeasure& measure : sweep.measures) {
     json.begin_object(TableLayout::Line);
     json.text("name", measure.name);
@@ -83,8 +80,7 @@ std::string format_sweep_json(const Sweep& sweep, const SweepRows& rows) {
   }
   json.end();
   json.integer("row_count", static_cast<std::int64_t>(sweep.row_count()));
-  json.key("rows");
-  json.begin_list(TableLayout::Lines);
+  json.begin_list("rows", TableLayout::Lines);
   for (const auto& [number, row] : rows) {
     json.begin_object(TableLayout::Line);
     json.integer("row", static_cast<std::int64_t>(number));
@@ -94,9 +90,8 @@ std::string format_sweep_json(const Sweep& sweep, const SweepRows& rows) {
       write_value(json, *sweep.axes[i].parameter, values[i]);
     }
     // a quantity may have the name of a parameter
-    json.key("values");
-    json.begin_list(TableLayout::Line);
-    for (const std::optional<double>& value : row.values) value ? json.number(*value) : json.null();
+    json.begin_list("values", TableLayout::Line);
+    for (const std::optional<double>& value : row.values) json.number(value);
     json.end();
     json.text("status", sweep_status_name(row.status));
     json.text("note", row.note);

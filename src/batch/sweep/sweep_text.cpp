@@ -1,12 +1,12 @@
 // What a sweep varies and measures, as given on the command line.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "base/formatted.h"
 #include "base/option_error.h"
 #include "base/printable.h"
+#include "base/text_lines.h"
 #include "batch/sweep/sweep.h"
 #include "edit/setting_text.h"
 #include "scene/parameter_value.h"
@@ -19,21 +19,8 @@ using Of = SweepMeasure::Of;
 constexpr std::array prefixes{std::pair{std::string_view("max:"), Of::Max}, std::pair{std::string_view("min:"), Of::Min},
                               std::pair{std::string_view("mean:"), Of::Mean}};
 
-// The parts of a text between separators.
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t end = 0; (end = text.find(separator)) != std::string_view::npos; text.remove_prefix(end + 1))
-    parts.push_back(text.substr(0, end));
-  parts.push_back(text);
-  return parts;
-}
-
 // The same on every machine, whatever its powers and logarithms round to, and readable.
-double to_twelve_digits(double value) {
-  const std::string text = formatted("%.12g", value);
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
+double to_twelve_digits(double value) { return parse_number(formatted("%.12g", value)).value(); }
 
 // "100:1e4:log:20": from, to, spacing, number.
 std::string parse_range(const std::vector<std::string_view>& parts, SweepAxis& axis) {
@@ -48,13 +35,12 @@ std::string parse_range(const std::vector<std::string_view>& parts, SweepAxis& a
   if (is_log && !(std::min(*first, *last) > 0.0)) return "the ends of a logarithmic range must be more than 0";
   if (*first == *last) return "the ends of a range must differ";
 
-  std::size_t count = 0;
-  const auto [end, error] = std::from_chars(parts[3].data(), parts[3].data() + parts[3].size(), count);
-  if (error != std::errc() || end != parts[3].data() + parts[3].size() || count < 2 || count > max_sweep_rows)
+  const int count = parse_integer(parts[3]).value_or(0);
+  if (count < 2 || count > static_cast<int>(max_sweep_rows))
     return printable(parts[3], 80) + ": the number of values must be from 2 to " + std::to_string(max_sweep_rows);
 
-  for (std::size_t i = 0; i < count; ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(count - 1);
+  for (int i = 0; i < count; ++i) {
+    const double part = static_cast<double>(i) / (count - 1);
     double value = is_log ? *first * std::pow(*last / *first, part) : *first + part * (*last - *first);
     value = i == 0 ? *first : i == count - 1 ? *last : clamp_to(parameter, to_twelve_digits(value));
     // whole numbers that are close together round to the same one

@@ -1,5 +1,3 @@
-#include "cli/commands/bench.h"
-
 #include <filesystem>
 #include <iostream>
 
@@ -7,13 +5,10 @@
 #include "base/read_file.h"
 #include "batch/bench.h"
 #include "batch/bench_report.h"
-#include "batch/output_folder.h"
-#include "cli/commands/bench_capacity.h"
-#include "cli/commands/bench_edits.h"
-#include "cli/commands/bench_kernels.h"
-#include "cli/commands/bench_overhead.h"
+#include "batch/output_file.h"
 #include "cli/commands/bench_progress.h"
-#include "cli/commands/bench_scaling.h"
+#include "cli/commands/bench_tables.h"
+#include "cli/commands/commands.h"
 #include "cli/interrupt.h"
 #include "cli/scene_options.h"
 #include "sim/control/automatic.h"

@@ -1,4 +1,4 @@
-#include "cli/commands/bench_capacity.h"
+#include "cli/commands/bench_tables.h"
 
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 #include "base/formatted.h"
 #include "base/text_lines.h"
 #include "batch/machine.h"
-#include "batch/output_folder.h"
+#include "batch/output_file.h"
 #include "cli/interrupt.h"
 #include "cli/subcommand.h"
 #include "study/capacity.h"

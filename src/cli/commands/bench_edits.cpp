@@ -1,4 +1,4 @@
-#include "cli/commands/bench_edits.h"
+#include "cli/commands/bench_tables.h"
 
 #include <iostream>
 #include <string>
@@ -7,7 +7,7 @@
 #include "base/atomic_write.h"
 #include "base/formatted.h"
 #include "batch/machine.h"
-#include "batch/output_folder.h"
+#include "batch/output_file.h"
 #include "cli/interrupt.h"
 #include "cli/subcommand.h"
 #include "study/kernels/edit_latency.h"

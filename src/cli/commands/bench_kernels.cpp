@@ -1,4 +1,4 @@
-#include "cli/commands/bench_kernels.h"
+#include "cli/commands/bench_tables.h"
 
 #include <iostream>
 #include <vector>
@@ -6,7 +6,7 @@
 #include "base/atomic_write.h"
 #include "base/formatted.h"
 #include "batch/machine.h"
-#include "batch/output_folder.h"
+#include "batch/output_file.h"
 #include "cli/interrupt.h"
 #include "cli/subcommand.h"
 #include "study/kernels/kernel_cases.h"

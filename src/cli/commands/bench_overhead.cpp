@@ -1,4 +1,4 @@
-#include "cli/commands/bench_overhead.h"
+#include "cli/commands/bench_tables.h"
 
 #include <iostream>
 
@@ -7,7 +7,7 @@
 #include "base/formatted.h"
 #include "base/printable.h"
 #include "batch/machine.h"
-#include "batch/output_folder.h"
+#include "batch/output_file.h"
 #include "cli/interrupt.h"
 #include "cli/subcommand.h"
 #include "formats/open_file.h"

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "base/formatted.h"
+
 namespace hooke {
 
 BenchProgress::BenchProgress(std::size_t parts, bool enabled) : parts_(parts), enabled_(enabled && isatty(STDERR_FILENO) == 1) {}
@@ -34,9 +36,7 @@ std::string BenchProgress::time_left() const {
   if (measured_ == 0) return "";
   const double each = std::chrono::duration<double>(spent_).count() / static_cast<double>(measured_);
   const double seconds = each * static_cast<double>(parts_ + 1 - started_);
-  char text[48];
-  std::snprintf(text, sizeof text, seconds < 90.0 ? ", %.0f s left" : ", %.0f min left", seconds < 90.0 ? seconds : seconds / 60.0);
-  return text;
+  return seconds < 90.0 ? formatted(", %.0f s left", seconds) : formatted(", %.0f min left", seconds / 60.0);
 }
 
 }  // namespace hooke

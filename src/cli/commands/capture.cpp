@@ -1,4 +1,4 @@
-#include "cli/commands/capture.h"
+#include "cli/commands/commands.h"
 
 #include <iostream>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "cli/commands/check.h"
+#include "cli/commands/commands.h"
 
 #include <algorithm>
 #include <iostream>
@@ -78,7 +78,7 @@ int check_hard_cases(const CheckOptions& options) {
   for (const CaseResult& each : results)
     if (each.finished)
       reported.push_back({.group = std::string(each.hard_case->name),
-                          .name = std::string(each.method != nullptr ? each.method->id : "any"),
+                          .name = std::string(each.method->id),
                           .failure = is_broken(each.verdict) ? "unexpected: " + each.verdict.measured : ""});
   write(options.junit, format_junit("hooke check --hard", reported));
   if (options.markdown && !was_interrupted())
@@ -94,8 +94,7 @@ std::string format_checks(const std::vector<std::pair<std::string, CheckResult>>
   JsonWriter json;
   json.begin_object(JsonWriter::Layout::Lines);
   json.text("version", program_version);
-  json.key("checks");
-  json.begin_list(JsonWriter::Layout::Lines);
+  json.begin_list("checks", JsonWriter::Layout::Lines);
   for (const auto& [name, result] : results) {
     json.begin_object(JsonWriter::Layout::Line);
     json.text("scene", name);

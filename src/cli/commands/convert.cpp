@@ -1,8 +1,8 @@
-#include "cli/commands/convert.h"
+#include "cli/commands/commands.h"
 
-#include "batch/convert.h"
 #include "cli/scene_options.h"
 #include "formats/file_kind.h"
+#include "formats/open_file.h"
 
 namespace hooke {
 namespace {

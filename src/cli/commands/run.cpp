@@ -1,4 +1,4 @@
-#include "cli/commands/run.h"
+#include "cli/commands/commands.h"
 
 #include <algorithm>
 #include <iostream>

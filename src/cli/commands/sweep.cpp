@@ -1,4 +1,4 @@
-#include "cli/commands/sweep.h"
+#include "cli/commands/commands.h"
 
 #include <algorithm>
 #include <filesystem>

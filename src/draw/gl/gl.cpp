@@ -16,53 +16,25 @@ void keep_freed_memory() {
 #endif
 }
 
+// In the order of GlKind.
+constexpr struct {
+  void (*create)(GLuint& name);
+  void (*destroy)(GLuint name);
+} functions[] = {
+    {[](GLuint& name) { glGenBuffers(1, &name); }, [](GLuint name) { glDeleteBuffers(1, &name); }},
+    {[](GLuint& name) { glGenVertexArrays(1, &name); }, [](GLuint name) { glDeleteVertexArrays(1, &name); }},
+    {[](GLuint& name) { glGenTextures(1, &name); }, [](GLuint name) { glDeleteTextures(1, &name); }},
+    {[](GLuint& name) { glGenRenderbuffers(1, &name); }, [](GLuint name) { glDeleteRenderbuffers(1, &name); }},
+    {[](GLuint& name) { glGenFramebuffers(1, &name); }, [](GLuint name) { glDeleteFramebuffers(1, &name); }},
+    {[](GLuint& name) { name = glCreateProgram(); }, [](GLuint name) { glDeleteProgram(name); }},
+};
+
 }  // namespace
 
-GlName::GlName(GlKind kind) : kind_(kind) {
-  switch (kind) {
-    case GlKind::Buffer:
-      glGenBuffers(1, &name_);
-      break;
-    case GlKind::VertexArray:
-      glGenVertexArrays(1, &name_);
-      break;
-    case GlKind::Texture:
-      glGenTextures(1, &name_);
-      break;
-    case GlKind::Renderbuffer:
-      glGenRenderbuffers(1, &name_);
-      break;
-    case GlKind::Framebuffer:
-      glGenFramebuffers(1, &name_);
-      break;
-    case GlKind::Program:
-      name_ = glCreateProgram();
-      break;
-  }
-}
+GlName::GlName(GlKind kind) : kind_(kind) { functions[static_cast<std::size_t>(kind)].create(name_); }
 
 GlName::~GlName() {
-  if (name_ == 0) return;
-  switch (kind_) {
-    case GlKind::Buffer:
-      glDeleteBuffers(1, &name_);
-      break;
-    case GlKind::VertexArray:
-      glDeleteVertexArrays(1, &name_);
-      break;
-    case GlKind::Texture:
-      glDeleteTextures(1, &name_);
-      break;
-    case GlKind::Renderbuffer:
-      glDeleteRenderbuffers(1, &name_);
-      break;
-    case GlKind::Framebuffer:
-      glDeleteFramebuffers(1, &name_);
-      break;
-    case GlKind::Program:
-      glDeleteProgram(name_);
-      break;
-  }
+  if (name_ != 0) functions[static_cast<std::size_t>(kind_)].destroy(name_);
 }
 
 std::string load_gl() {

@@ -3,7 +3,6 @@
 
 #include <GL/glew.h>
 
-#include <string>
 #include <utility>
 
 namespace hooke {

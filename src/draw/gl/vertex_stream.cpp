@@ -1,6 +1,5 @@
 #include "draw/gl/vertex_stream.h"
 
-#include <algorithm>
 #include <bit>
 
 namespace hooke {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <initializer_list>
 #include <span>
-#include <vector>
 
 #include "draw/gl/gl.h"
 

@@ -1,6 +1,5 @@
 #include "draw/parts/cloth_surface.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>

@@ -1,7 +1,6 @@
 #include "draw/parts/environment.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>

@@ -1,7 +1,6 @@
 #include "draw/parts/network_renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "base/finite.h"
@@ -15,6 +14,24 @@ namespace {
 template <class Id, class Value>
 bool same_ids(const std::vector<std::pair<Id, Value>>& a, const std::vector<std::pair<Id, Value>>& b) {
   return std::ranges::equal(a, b, {}, &std::pair<Id, Value>::first, &std::pair<Id, Value>::first);
+}
+
+// Sets a member of springs wherever they are valid with it. Returns the earlier values, the last one first.
+template <class Value>
+std::vector<std::pair<SpringId, Value>> exchange(Scene& scene, const std::vector<std::pair<SpringId, Value>>& values,
+                                                 Value Spring::*member) {
+  std::vector<std::pair<SpringId, Value>> earlier;
+  for (const auto& [spring, value] : values) {
+    const Index s = scene.system.index_of(spring);
+    if (s == no_index) continue;
+    Spring changed = scene.system.springs()[s];
+    changed.*member = value;
+    if (!is_valid(changed)) continue;
+    earlier.emplace_back(spring, scene.system.springs()[s].*member);
+    *scene.system.spring(s) = changed;
+  }
+  std::ranges::reverse(earlier);
+  return earlier;
 }
 
 }  // namespace
@@ -140,21 +157,8 @@ bool SetSpringProperty::is_undone_with(const SetSpringProperty& earlier) const {
 
 Inverse SetSpringProperty::apply(Scene& scene, Effect& effect) const {
   constexpr double Spring::*members[] = {&Spring::stiffness, &Spring::damping, &Spring::rest_length, &Spring::break_strain};
-  double Spring::*const member = members[static_cast<int>(property)];
-  SetSpringProperty inverse{property, {}};
-  inverse.values.reserve(values.size());
-  for (const auto& [spring, value] : values) {
-    const Index s = scene.system.index_of(spring);
-    if (s == no_index) continue;
-    Spring changed = scene.system.springs()[s];
-    changed.*member = value;
-    if (!is_valid(changed)) continue;
-    inverse.values.emplace_back(spring, scene.system.springs()[s].*member);
-    *scene.system.spring(s) = changed;
-  }
-  std::reverse(inverse.values.begin(), inverse.values.end());
   effect.values = true;
-  return {inverse};
+  return {SetSpringProperty{property, exchange(scene, values, members[static_cast<int>(property)])}};
 }
 
 std::string SetSpringLaw::describe() const { return "law of " + pluralize(values.size(), "spring", "springs"); }
@@ -162,19 +166,8 @@ std::string SetSpringLaw::describe() const { return "law of " + pluralize(values
 bool SetSpringLaw::is_undone_with(const SetSpringLaw& earlier) const { return same_ids(values, earlier.values); }
 
 Inverse SetSpringLaw::apply(Scene& scene, Effect& effect) const {
-  SetSpringLaw inverse;
-  for (const auto& [spring, law] : values) {
-    const Index s = scene.system.index_of(spring);
-    if (s == no_index) continue;
-    Spring changed = scene.system.springs()[s];
-    changed.law = law;
-    if (!is_valid(changed)) continue;
-    inverse.values.emplace_back(spring, scene.system.springs()[s].law);
-    *scene.system.spring(s) = changed;
-  }
-  std::reverse(inverse.values.begin(), inverse.values.end());
   effect.values = true;
-  return {inverse};
+  return {SetSpringLaw{exchange(scene, values, &Spring::law)}};
 }
 
 }  // namespace hooke

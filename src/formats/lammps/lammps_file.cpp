@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/printable.h"
 #include "formats/file_kinds.h"
 #include "formats/lammps/lammps_model.h"
 #include "sim/methods/integrator.h"

@@ -6,6 +6,7 @@
 
 #include "base/bounds.h"
 #include "base/errors.h"
+#include "base/text_lines.h"
 #include "sim/methods/integrator.h"
 #include "sim/model/portable_math.h"
 
@@ -56,9 +57,8 @@ std::vector<std::string> unsupported_by_lammps(const Scene& scene) {
 }
 
 void refuse_unsupported(const Scene& scene, const std::string& file) {
-  std::string list;
-  for (const std::string& what : unsupported_by_lammps(scene)) list += (list.empty() ? "" : ", ") + what;
-  if (!list.empty()) throw InputError(file + ": LAMMPS cannot represent " + list);
+  if (const std::string list = joined(unsupported_by_lammps(scene)); !list.empty())
+    throw InputError(file + ": LAMMPS cannot represent " + list);
 }
 
 LammpsDrag::LammpsDrag(const Scene& scene) {

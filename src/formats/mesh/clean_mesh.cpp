@@ -1,7 +1,6 @@
 #include "formats/mesh/clean_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <tuple>

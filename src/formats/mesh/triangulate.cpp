@@ -1,10 +1,7 @@
 #include "formats/mesh/triangulate.h"
 
-#include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 
 namespace hooke {
 namespace {

@@ -7,7 +7,6 @@
 #include "base/errors.h"
 #include "base/file_limits.h"
 #include "base/finite.h"
-#include "formats/scene_json/shape_fields.h"
 #include "formats/scene_json/spring_law_fields.h"
 #include "formats/texture.h"
 #include "scene/spring_family.h"

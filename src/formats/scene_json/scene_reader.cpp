@@ -14,11 +14,7 @@
 #include "formats/texture.h"
 #include "scene/parameters.h"
 #include "scene/step_advice.h"
-#include "scene/warnings/bending_warning.h"
-#include "scene/warnings/overlap_warning.h"
-#include "scene/warnings/pressure_warning.h"
-#include "scene/warnings/small_collider_warning.h"
-#include "scene/warnings/strain_limit_warning.h"
+#include "scene/warnings/warnings.h"
 #include "sim/plan/hinges.h"
 
 namespace hooke {

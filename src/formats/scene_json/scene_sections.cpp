@@ -1,14 +1,14 @@
 #include "formats/scene_json/scene_sections.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "base/file_limits.h"
+#include "base/json_writer.h"
 #include "base/option_error.h"
+#include "base/text_lines.h"
 #include "formats/texture.h"
-#include "scene/parameters.h"
-#include "sim/control/automatic.h"
+#include "scene/parameter_value.h"
 #include "sim/forces/force_terms.h"
 #include "sim/methods/integrator.h"
 
@@ -47,21 +47,14 @@ bool* view_flag_of(const JsonField& field, ViewSettings& view) {
   return nullptr;
 }
 
-std::string ids_of_forces() {
-  std::string ids;
-  for (const ForceTerm& term : force_terms()) ids += (ids.empty() ? "" : ", ") + std::string(term.id);
-  return ids;
-}
+std::string ids_of_forces() { return joined(force_terms(), &ForceTerm::id); }
 
 // The index of the choice with the id that the field names.
 template <class Choice>
 std::size_t read_choice(std::span<const Choice> choices, const JsonField& field) {
-  std::string ids;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
+  for (std::size_t i = 0; i < choices.size(); ++i)
     if (field.text() == choices[i].id) return i;
-    ids += (ids.empty() ? "\"" : ", \"") + std::string(choices[i].id) + "\"";
-  }
-  field.refuse("must be one of " + ids);
+  field.refuse("must be one of " + joined(choices, [](const Choice& choice) { return to_json(choice.id); }));
 }
 
 // Sets the parameter of this name, which may be outside the range of the slider. Returns false if the force has none of this name.
@@ -97,12 +90,6 @@ void read_circle(const JsonField& field, SceneFields& fields, Scene& scene, Scri
   const double radius = glm::length(glm::cross(hand.axis, hand.from - hand.center));
   if (!(radius >= min_circle_radius) || !std::isfinite(radius))
     field.refuse("must have from at least 1e-06 m away from the axis through center");
-}
-
-std::string ids_of_integrators() {
-  std::string ids;
-  for (const Integrator& integrator : integrators()) ids += std::string(integrator.id) + ", ";
-  return ids + std::string(automatic_method().id);
 }
 
 }  // namespace

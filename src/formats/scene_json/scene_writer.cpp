@@ -1,10 +1,10 @@
 // Writes a scene, one point or spring per line.
 
 #include <cmath>
-#include <cstdio>
 
 #include "base/atomic_write.h"
 #include "base/file_limits.h"
+#include "base/formatted.h"
 #include "base/json_writer.h"
 #include "base/overloaded.h"
 #include "base/printable.h"
@@ -25,11 +25,7 @@ using Layout = JsonWriter::Layout;
 bool is_positive_zero(double value) { return same_bits(value, 0.0); }
 bool is_positive_zero(const Vec3& value) { return same_bits(value, Vec3(0.0)); }
 
-std::string to_text(const Color& color) {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", color.red, color.green, color.blue);
-  return text;
-}
+std::string to_text(const Color& color) { return formatted("#%02x%02x%02x", color.red, color.green, color.blue); }
 
 class SceneWriter {
  public:
@@ -75,8 +71,7 @@ std::string SceneWriter::write() {
   if (!scene_.description.empty()) out_.text("description", scene_.description);
   if (!scene_.notes.empty()) out_.text("notes", scene_.notes);
   if (!scene_.preserved_json.gallery.empty()) {
-    out_.key("gallery");
-    out_.raw(scene_.preserved_json.gallery);
+    out_.raw("gallery", scene_.preserved_json.gallery);
   }
   out_.integer("dimensions", system_.dimensions);
   if (!is_positive_zero(state_.time)) out_.number("time", state_.time);
@@ -94,8 +89,7 @@ std::string SceneWriter::write() {
   });
   write_rest_angles();
   if (listed.points < system_.point_count()) {
-    out_.key("generators");
-    out_.raw(scene_.preserved_json.generators);
+    out_.raw("generators", scene_.preserved_json.generators);
   }
   write_list("colliders", system_.colliders.size(), [&](std::size_t c) { write_collider(c); });
   write_contact();
@@ -106,19 +100,16 @@ std::string SceneWriter::write() {
   write_defaults();
   if (scene_.controls != ControlRanges{} || has_unknown_inside("controls")) {
     const ControlRanges& controls = scene_.controls;
-    out_.key("controls");
-    out_.begin_object(Layout::Line);
+    out_.begin_object("controls", Layout::Line);
     if (controls != ControlRanges{}) {
-      out_.key("stiffness");
-      out_.vector({controls.stiffness_min, controls.stiffness_max, controls.stiffness_step});
+      out_.vector("stiffness", {controls.stiffness_min, controls.stiffness_max, controls.stiffness_step});
     }
     write_unknown_inside("controls");
     out_.end();
   }
   write_view();
   if (!scene_.preserved_json.check.empty()) {
-    out_.key("check");
-    out_.raw(scene_.preserved_json.check);
+    out_.raw("check", scene_.preserved_json.check);
   }
   out_.members(scene_.preserved_json.unknown);
   out_.end();
@@ -155,8 +146,7 @@ void SceneWriter::write_parameters(std::string_view section) {
 template <class Write>
 void SceneWriter::write_list(std::string_view key, std::size_t count, Write write_item) {
   if (count == 0) return;
-  out_.key(key);
-  out_.begin_list(Layout::Lines);
+  out_.begin_list(key, Layout::Lines);
   for (std::size_t i = 0; i < count; ++i) {
     write_item(i);
     check_size();
@@ -176,8 +166,7 @@ void SceneWriter::write_point(Index i) {
   out_.number("radius", point.radius);
   if (point.color) out_.text("color", to_text(*point.color));
   if (const glm::dvec2 place = cloth_coordinates_of(scene_.cloth_texture, point.id); std::isfinite(place.x)) {
-    out_.key("uv");
-    out_.begin_list(Layout::Line);
+    out_.begin_list("uv", Layout::Line);
     out_.number(place.x);
     out_.number(place.y);
     out_.end();
@@ -191,8 +180,7 @@ void SceneWriter::write_point(Index i) {
 void SceneWriter::write_spring(Index s) {
   const Spring spring = system_.springs()[s];
   out_.begin_object(Layout::Line);
-  out_.key("points");
-  out_.begin_list(Layout::Line);
+  out_.begin_list("points", Layout::Line);
   out_.integer(system_.index_of(spring.first));
   out_.integer(system_.index_of(spring.second));
   out_.end();
@@ -278,8 +266,7 @@ void SceneWriter::write_force(std::size_t f) {
 
 void SceneWriter::write_contact() {
   if (system_.contact == PairContact{} && !has_unknown_inside("contact")) return;
-  out_.key("contact");
-  out_.begin_object(Layout::Line);
+  out_.begin_object("contact", Layout::Line);
   write_parameters("contact");
   write_unknown_inside("contact");
   out_.end();
@@ -288,11 +275,9 @@ void SceneWriter::write_contact() {
 void SceneWriter::write_hand() {
   const std::optional<ScriptedHand>& hand = system_.scripted_hand;
   if (!hand || system_.index_of(hand->point) == no_index) return;
-  out_.key("hand");
-  out_.begin_object(Layout::Line);
+  out_.begin_object("hand", Layout::Line);
   out_.integer("point", system_.index_of(hand->point));
-  out_.key("circle");
-  out_.begin_object(Layout::Line);
+  out_.begin_object("circle", Layout::Line);
   out_.vector("from", hand->from);
   out_.vector("center", hand->center);
   out_.vector("axis", hand->axis);
@@ -306,8 +291,7 @@ void SceneWriter::write_hand() {
 }
 
 void SceneWriter::write_simulation() {
-  out_.key("simulation");
-  out_.begin_object(Layout::Line);
+  out_.begin_object("simulation", Layout::Line);
   out_.text("integrator", scene_.settings.integrator->id);
   write_parameters("simulation");
   if (scene_.settings.tolerance) out_.number("tolerance", *scene_.settings.tolerance);
@@ -317,8 +301,7 @@ void SceneWriter::write_simulation() {
 
 void SceneWriter::write_defaults() {
   if (scene_.defaults == Defaults{} && !has_unknown_inside("defaults")) return;
-  out_.key("defaults");
-  out_.begin_object(Layout::Line);
+  out_.begin_object("defaults", Layout::Line);
   write_parameters("defaults");
   if (scene_.defaults.radius > 0.0) out_.number("radius", scene_.defaults.radius);
   out_.text("grab", scene_.defaults.grab == GrabKind::Hold ? "hold" : "pull");
@@ -329,11 +312,9 @@ void SceneWriter::write_defaults() {
 void SceneWriter::write_view() {
   const ViewSettings& view = scene_.view;
   if (view == ViewSettings{} && !has_unknown_inside("view")) return;
-  out_.key("view");
-  out_.begin_object(Layout::Line);
+  out_.begin_object("view", Layout::Line);
   if (view.camera) {
-    out_.key("camera");
-    out_.begin_object(Layout::Line);
+    out_.begin_object("camera", Layout::Line);
     out_.vector("eye", view.camera->eye);
     out_.vector("target", view.camera->target);
     if (view.camera->up) out_.vector("up", *view.camera->up);
@@ -353,8 +334,7 @@ void SceneWriter::write_view() {
   if (!view.texture.empty()) out_.text("texture", view.texture);
   if (view.texture_size) out_.number("texture_size", *view.texture_size);
   if (!view.plots.empty()) {
-    out_.key("plots");
-    out_.begin_list(Layout::Line);
+    out_.begin_list("plots", Layout::Line);
     for (const std::string& name : view.plots) out_.text(name);
     out_.end();
   }

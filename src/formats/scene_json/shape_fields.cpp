@@ -5,22 +5,19 @@
 
 #include "base/file_limits.h"
 #include "base/json_text.h"
+#include "base/json_writer.h"
 #include "base/option_error.h"
+#include "base/text_lines.h"
 
 namespace hooke {
 namespace {
 
-std::string joined(std::span<const std::string_view> words, std::string_view separator, std::string_view quote = "") {
-  std::string list;
-  for (const std::string_view word : words)
-    list += (list.empty() ? "" : std::string(separator)) + std::string(quote) + std::string(word) + std::string(quote);
-  return list;
-}
-
 double read_number(const JsonField& field, const ShapeNumber& number) {
   if (!number.choices.empty()) {
     const auto choice = std::ranges::find(number.choices, field.text());
-    if (choice == number.choices.end()) field.refuse("must be " + joined(number.choices, " or ", "\""));
+    if (choice == number.choices.end())
+      field.refuse("must be " + joined(
+                                    number.choices, [](std::string_view id) { return to_json(id); }, " or "));
     return static_cast<double>(choice - number.choices.begin());
   }
   if (number.integer) return static_cast<double>(field.integer(static_cast<std::int64_t>(number.min), number.max_integer));
@@ -38,7 +35,7 @@ Vec3 read_vector(const JsonField& field, const ShapeVector& vector, SceneFields&
 
 std::size_t read_support(const JsonField& field, const ShapeKind& kind) {
   const auto support = std::ranges::find(kind.supports, field.text());
-  if (support == kind.supports.end()) field.refuse(must_be_one_of(joined(kind.supports, ", "), field.text()));
+  if (support == kind.supports.end()) field.refuse(must_be_one_of(joined(kind.supports), field.text()));
   return static_cast<std::size_t>(support - kind.supports.begin());
 }
 
@@ -105,9 +102,7 @@ void read_nails(const JsonField& field, Shape& shape) {
     }
     const auto keyword = std::ranges::find(shape.kind->nail_keywords, item.text(), &NailKeyword::word);
     if (keyword == shape.kind->nail_keywords.end()) {
-      std::string words;
-      for (const NailKeyword& row : shape.kind->nail_keywords) words += (words.empty() ? "" : ", ") + std::string(row.word);
-      item.refuse("must be a point number or one of " + words);
+      item.refuse("must be a point number or one of " + joined(shape.kind->nail_keywords, &NailKeyword::word));
     }
     const std::vector<Index> named = keyword->points(shape);
     nails.insert(named.begin(), named.end());
@@ -115,11 +110,7 @@ void read_nails(const JsonField& field, Shape& shape) {
   shape.nails.assign(nails.begin(), nails.end());
 }
 
-std::string ids_of_shapes() {
-  std::string list;
-  for (const ShapeKind& kind : shape_kinds()) list += (list.empty() ? "" : ", ") + std::string(kind.id);
-  return list;
-}
+std::string ids_of_shapes() { return joined(shape_kinds(), &ShapeKind::id); }
 
 }  // namespace
 

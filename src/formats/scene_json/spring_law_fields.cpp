@@ -2,18 +2,17 @@
 
 #include <cmath>
 
+#include "base/text_lines.h"
 #include "scene/spring_laws.h"
 
 namespace hooke {
 namespace {
 
 SpringForce read_force(const JsonField& field) {
-  std::string ids;
-  for (std::size_t i = 0; i < spring_forces.size(); ++i) {
+  for (std::size_t i = 0; i < spring_forces.size(); ++i)
     if (field.text() == spring_forces[i].id) return static_cast<SpringForce>(i);
-    ids += (i == 0 ? "\"" : i + 1 < spring_forces.size() ? ", \"" : " or \"") + std::string(spring_forces[i].id) + "\"";
-  }
-  field.refuse("must be " + ids);
+  field.refuse("must be " + joined(
+                                spring_forces, [](const SpringForceRow& row) { return to_json(row.id); }, " or "));
 }
 
 void read_muscle(const JsonField& field, SpringLaw& law) {
@@ -60,8 +59,7 @@ void write_law(const SpringLaw& law, JsonWriter& out) {
   if (law.force != SpringForce::Linear) out.text("law", spring_forces[static_cast<std::size_t>(law.force)].id);
   if (law.k3 != 0.0) out.number("k3", law.k3);
   if (law.amplitude != 0.0 || law.frequency != SpringLaw{}.frequency || law.phase != 0.0) {
-    out.key("muscle");
-    out.begin_object(JsonWriter::Layout::Line);
+    out.begin_object("muscle", JsonWriter::Layout::Line);
     out.number("amplitude", law.amplitude);
     out.number("frequency", law.frequency);
     out.number("phase", law.phase);
@@ -69,13 +67,9 @@ void write_law(const SpringLaw& law, JsonWriter& out) {
   }
   if (law.rate != 0.0) out.number("rest_length_rate", law.rate);
   if (!std::isfinite(law.max_rest_length) && law.min_rest_length == 0.0) return;
-  out.key("rest_length_limits");
-  out.begin_list(JsonWriter::Layout::Line);
+  out.begin_list("rest_length_limits", JsonWriter::Layout::Line);
   out.number(law.min_rest_length);
-  if (std::isfinite(law.max_rest_length))
-    out.number(law.max_rest_length);
-  else
-    out.null();
+  out.number(std::optional(law.max_rest_length));
   out.end();
 }
 

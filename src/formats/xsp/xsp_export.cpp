@@ -1,12 +1,12 @@
 // Writes a scene as an .xsp file.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "base/file_limits.h"
+#include "base/formatted.h"
 #include "base/json_field.h"
 #include "base/json_text.h"
 #include "base/text_lines.h"
@@ -22,9 +22,7 @@ namespace {
 // The shortest number of pixels that reads back as this length, bit for bit if there is one.
 double pixels(double meters) {
   for (const int digits : {15, 16, 17}) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.*g", digits, meters * xsp_pixels_per_meter);
-    const double value = std::strtod(text, nullptr);
+    const double value = std::strtod(formatted("%.*g", digits, meters * xsp_pixels_per_meter).c_str(), nullptr);
     if (value / xsp_pixels_per_meter == meters) return value;
   }
   return meters * xsp_pixels_per_meter;

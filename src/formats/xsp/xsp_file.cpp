@@ -240,9 +240,9 @@ class Importer {
   }
 
   void keep_unknown_lines() {
-    std::string list;
-    for (const std::string& line : document_.unknown) list += (list.empty() ? "" : ", ") + to_json(line);
-    if (!list.empty()) loaded_.scene.preserved_json.unknown = "\"xsp\": [" + list + "]";
+    if (document_.unknown.empty()) return;
+    const std::string list = joined(document_.unknown, [](const std::string& line) { return to_json(line); });
+    loaded_.scene.preserved_json.unknown = "\"xsp\": [" + list + "]";
   }
 
   void import_stepping() {

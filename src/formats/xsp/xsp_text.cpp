@@ -1,6 +1,7 @@
 #include "formats/xsp/xsp_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -24,35 +25,16 @@ constexpr std::size_t max_forces = 1000;
 enum class Range { Any, Integer, Id, NotNegative, Positive };
 
 std::string_view text_of(Range range) {
-  switch (range) {
-    case Range::Any:
-      return "must be a number";
-    case Range::Integer:
-      return "must be a whole number";
-    case Range::Id:
-      return "must be a whole number from 1 to 2147483647";
-    case Range::NotNegative:
-      return "must be at least 0";
-    case Range::Positive:
-      return "must be more than 0";
-  }
-  return {};
+  constexpr std::array<std::string_view, 5> texts{"must be a number", "must be a whole number",
+                                                  "must be a whole number from 1 to 2147483647", "must be at least 0",
+                                                  "must be more than 0"};
+  return texts[static_cast<std::size_t>(range)];
 }
 
 bool is_in_range(Range range, double value) {
-  switch (range) {
-    case Range::Any:
-      return true;
-    case Range::Integer:
-      return value == std::trunc(value) && std::abs(value) <= std::numeric_limits<int>::max();
-    case Range::Id:
-      return is_in_range(Range::Integer, value) && value >= 1.0;
-    case Range::NotNegative:
-      return value >= 0.0;
-    case Range::Positive:
-      return value > 0.0;
-  }
-  return false;
+  const bool is_integer = value == std::trunc(value) && std::abs(value) <= std::numeric_limits<int>::max();
+  if (range == Range::Integer || range == Range::Id) return is_integer && (range == Range::Integer || value >= 1.0);
+  return range == Range::Any || value > 0.0 || (range == Range::NotNegative && value == 0.0);
 }
 
 struct Argument {

@@ -1,9 +1,7 @@
 #include "lab/accuracy/second_runs.h"
 
-#include <cmath>
 #include <cstdint>
 
-#include "sim/control/frame_error.h"
 #include "sim/step/divergence.h"
 
 namespace hooke {

@@ -79,7 +79,6 @@ constinit const ShapeKind bridge_shape{.id = "bridge",
                                        .details = "`stiffness` and `damping` are those of each beam",
                                        .numbers = numbers,
                                        .supports = supports,
-                                       .is_3d_only = false,
                                        .element_count = element_count,
                                        .make = make};
 

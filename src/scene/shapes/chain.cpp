@@ -51,7 +51,6 @@ constinit const ShapeKind chain_shape{.id = "chain",
                                       .details = "`stiffness` and `damping` are those of each spring of a link",
                                       .numbers = numbers,
                                       .supports = line_supports,
-                                      .is_3d_only = false,
                                       .contact = ShapeContact::Springs,
                                       .element_count = element_count,
                                       .make = make};

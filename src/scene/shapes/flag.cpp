@@ -41,10 +41,8 @@ void make(const Shape& shape, Network& network) {
 constinit const ShapeKind flag_shape{.id = "flag",
                                      .label = "Flag on a pole",
                                      .description = "A sheet nailed to a pole along its left edge; it needs wind.",
-                                     .details = "",
                                      .numbers = numbers,
                                      .supports = supports,
-                                     .is_3d_only = false,
                                      .contact = ShapeContact::Faces,
                                      .element_count = element_count,
                                      .make = make};

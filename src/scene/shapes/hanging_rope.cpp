@@ -41,7 +41,6 @@ constinit const ShapeKind hanging_rope_shape{
     .details = "`stiffness` and `damping` are those of the whole rope. Nailed at both ends, it starts as a V if it is longer than `span`",
     .numbers = numbers,
     .supports = line_supports,
-    .is_3d_only = false,
     .contact = ShapeContact::Springs,
     .element_count = element_count,
     .make = make};

@@ -43,7 +43,6 @@ constinit const ShapeKind net_shape{.id = "net",
                                     .details = "A plain spring graph: `stiffness` and `damping` are those of each cord",
                                     .numbers = numbers,
                                     .supports = sheet_supports,
-                                    .is_3d_only = false,
                                     .contact = ShapeContact::Springs,
                                     .element_count = element_count,
                                     .make = make};

@@ -26,7 +26,6 @@ constinit const ShapeKind sheet_shape{
     .details = "A `cloth` as above, tributary and upright",
     .numbers = numbers,
     .supports = sheet_supports,
-    .is_3d_only = false,
     .contact = ShapeContact::Faces,
     .element_count = element_count,
     .make = make};

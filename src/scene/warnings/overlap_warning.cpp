@@ -1,4 +1,4 @@
-#include "scene/warnings/overlap_warning.h"
+#include "scene/warnings/warnings.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 #include "study/check/exact_motion.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>

@@ -98,29 +98,21 @@ std::string format_table(const ResultCheck& check) {
 std::string format_json(const ResultCheck& check) {
   JsonWriter out;
   using enum JsonWriter::Layout;
-  const auto number = [&](std::string_view name, const std::optional<double>& value) {
-    out.key(name);
-    if (value && std::isfinite(*value))
-      out.number(*value);
-    else
-      out.null();
-  };
   out.begin_object(Lines);
   out.text("result", check.sentence());
   out.number("seconds", check.seconds);
-  number("distance", check.distance);
+  out.number("distance", check.distance);
   out.number("size", check.size);
   out.integer("refined_sheets", check.sheets);
   out.integer("refined_ropes", check.ropes);
-  out.key("quantities");
-  out.begin_list(Lines);
+  out.begin_list("quantities", Lines);
   for (const CheckedQuantity& quantity : check.quantities) {
     out.begin_object(Line);
     out.text("name", quantity.name);
     out.text("unit", quantity.unit);
-    number("now", quantity.now);
-    number("half_step", quantity.half_step);
-    number("twice_the_resolution", quantity.finer);
+    out.number("now", quantity.now);
+    out.number("half_step", quantity.half_step);
+    out.number("twice_the_resolution", quantity.finer);
     out.end();
   }
   out.end();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <utility>
 
 #include "sim/control/frame_error.h"
 #include "sim/forces/energy/energy.h"

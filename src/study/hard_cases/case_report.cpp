@@ -1,13 +1,15 @@
 #include "study/hard_cases/case_report.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/json_writer.h"
 #include "sim/control/automatic.h"
-#include "study/hard_cases/case_groups.h"
 
 namespace hooke {
+namespace {
 
+// Groups results; those of one case must be adjacent.
 std::vector<std::span<const CaseResult>> by_case(std::span<const CaseResult> results) {
   std::vector<std::span<const CaseResult>> groups;
   for (std::size_t begin = 0, end = 0; begin < results.size(); begin = end) {
@@ -17,6 +19,7 @@ std::vector<std::span<const CaseResult>> by_case(std::span<const CaseResult> res
   return groups;
 }
 
+// The methods that have results, in table order.
 std::vector<const Integrator*> methods_of(std::span<const CaseResult> results) {
   std::vector<const Integrator*> methods;
   for (const Integrator& method : integrators())
@@ -26,14 +29,14 @@ std::vector<const Integrator*> methods_of(std::span<const CaseResult> results) {
   return methods;
 }
 
+// The result of a method within one case. Null: none.
 const CaseResult* find_result(std::span<const CaseResult> group, const Integrator& method) {
   for (const CaseResult& result : group)
-    if (result.method == nullptr || result.method == &method) return &result;
+    if (result.method == &method) return &result;
   return nullptr;
 }
 
-std::string_view id_of(const CaseResult& result) { return result.method != nullptr ? result.method->id : "any"; }
-
+// "27 results: 20 held, ..."
 std::string summarize_counts(std::span<const CaseResult> results) {
   const auto count = [&](auto&& is_one) { return std::to_string(std::ranges::count_if(results, is_one)); };
   const auto with = [&](Outcome outcome) {
@@ -46,25 +49,13 @@ std::string summarize_counts(std::span<const CaseResult> results) {
          " unexpected" + (unfinished == "0" ? "" : ", " + unfinished + " not run");
 }
 
-namespace {
-
 // Up to this number of results, each is reported in full.
 constexpr std::size_t full_listing_limit = 30;
 
 char mark_of(const CaseResult* result) {
   if (result == nullptr || !result->finished) return ' ';
   if (is_broken(result->verdict)) return '!';
-  switch (result->verdict.outcome) {
-    case Outcome::Held:
-      return '+';
-    case Outcome::FailedOpenly:
-      return 'o';
-    case Outcome::FailedSilently:
-      return '!';
-    case Outcome::OutOfScope:
-      return '-';
-  }
-  return '?';
+  return "+o!-"[static_cast<std::size_t>(result->verdict.outcome)];
 }
 
 std::string padded(std::string text, std::size_t width) {
@@ -96,7 +87,7 @@ std::string wrapped(std::string_view text, std::size_t indent) {
 std::string format_full_result(const CaseResult& result) {
   const Verdict& verdict = result.verdict;
   std::string sentence = std::string(1, mark_of(&result)) + " " + std::to_string(result.hard_case->number) + " " +
-                         std::string(result.hard_case->name) + ", " + std::string(id_of(result)) + ": " +
+                         std::string(result.hard_case->name) + ", " + std::string(result.method->id) + ": " +
                          std::string(describe(verdict.outcome));
   if (is_broken(verdict)) sentence += ", expected to " + std::string(describe(verdict.expected));
   for (const std::string& part : {verdict.measured, verdict.reason})
@@ -120,10 +111,7 @@ std::string format_table(std::span<const CaseResult> results) {
     const HardCase& hard_case = *group[0].hard_case;
     const std::string number = (hard_case.number < 10 ? " " : "") + std::to_string(hard_case.number);
     std::string line = padded(number + " " + std::string(hard_case.name), name_width);
-    if (group[0].method == nullptr)
-      line += std::string(1, mark_of(&group[0])) + " (independent of the method)";
-    else
-      for (const Integrator* method : methods) line += std::string(1, mark_of(find_result(group, *method))) + " ";
+    for (const Integrator* method : methods) line += std::string(1, mark_of(find_result(group, *method))) + " ";
     line.erase(line.find_last_not_of(' ') + 1);
     table += line + "\n";
   }
@@ -142,25 +130,13 @@ std::string underscored(std::string_view words) {
   return id;
 }
 
-void write_rows(JsonWriter& json, const std::vector<std::vector<std::string>>& rows) {
-  json.key("rows");
-  json.begin_list(JsonWriter::Layout::Line);
-  for (const auto& row : rows) {
-    json.begin_list(JsonWriter::Layout::Line);
-    for (const std::string& cell : row) json.text(cell);
-    json.end();
-  }
-  json.end();
-}
-
 }  // namespace
 
 std::string format_json(std::span<const CaseResult> results) {
   using Layout = JsonWriter::Layout;
   JsonWriter json;
   json.begin_object(Layout::Lines);
-  json.key("cases");
-  json.begin_list(Layout::Lines);
+  json.begin_list("cases", Layout::Lines);
   for (const auto& group : by_case(results)) {
     const HardCase& hard_case = *group[0].hard_case;
     json.begin_object(Layout::Lines);
@@ -169,20 +145,17 @@ std::string format_json(std::span<const CaseResult> results) {
     json.text("parameters", hard_case.parameters);
     json.text("criterion", hard_case.criterion);
     json.text("remark", hard_case.remark);
-    if (!hard_case.columns.empty()) json.text("columns", hard_case.columns);
-    json.key("results");
-    json.begin_list(Layout::Lines);
+    json.begin_list("results", Layout::Lines);
     for (const CaseResult& result : group) {
       if (!result.finished) continue;
       json.begin_object(Layout::Line);
-      json.text("method", id_of(result));
+      json.text("method", result.method->id);
       json.text("outcome", underscored(describe(result.verdict.outcome)));
       json.text("expected", underscored(describe(result.verdict.expected)));
       json.boolean("broken", is_broken(result.verdict));
       json.text("measured", result.verdict.measured);
       json.text("reason", result.verdict.reason);
       json.number("cpu_seconds", result.cpu_seconds);
-      if (!hard_case.columns.empty()) write_rows(json, result.verdict.rows);
       json.end();
     }
     json.end();
@@ -193,6 +166,49 @@ std::string format_json(std::span<const CaseResult> results) {
   json.integer("unfinished", std::ranges::count_if(results, [](const CaseResult& result) { return !result.finished; }));
   json.end();
   return json.written() + "\n";
+}
+
+namespace {
+
+std::string_view outcome_label(const CaseResult* result) {
+  if (result == nullptr || !result->finished) return "";
+  if (is_broken(result->verdict)) return "**unexpected**";
+  constexpr std::array<std::string_view, 4> labels{"held", "*open*", "**silent**", "-"};
+  return labels[static_cast<std::size_t>(result->verdict.outcome)];
+}
+
+std::string format_overview(std::span<const CaseResult> results) {
+  const std::vector<const Integrator*> methods = methods_of(results);
+  std::string head = "| case |", rule = "|---|";
+  for (const Integrator* method : methods) {
+    head += " " + std::string(method->id) + " |";
+    rule += "---|";
+  }
+  std::string rows;
+  for (const auto& group : by_case(results)) {
+    rows += "| " + std::to_string(group[0].hard_case->number) + " " + std::string(group[0].hard_case->name) + " |";
+    for (const Integrator* method : methods) rows += " " + std::string(outcome_label(find_result(group, *method))) + " |";
+    rows += "\n";
+  }
+  return "\n" + head + "\n" + rule + "\n" + rows + "\n" + summarize_counts(results) + ".\n";
+}
+
+// One row for each case: its scene, and the criterion with which it counts as held.
+std::string format_cases(std::span<const CaseResult> results) {
+  std::string table = "\n| case | scene | held if | remark |\n|---|---|---|---|\n";
+  for (const auto& group : by_case(results)) {
+    const HardCase& hard_case = *group[0].hard_case;
+    table += "| " + std::to_string(hard_case.number) + " | " + std::string(hard_case.parameters) + " | " +
+             std::string(hard_case.criterion) + " | " + std::string(hard_case.remark) + " |\n";
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string format_markdown(std::span<const CaseResult> results, const Origin& origin) {
+  return "Measured on " + origin.date + ", on one " + origin.machine + ", with `" + origin.command + "`.\n" + format_overview(results) +
+         format_cases(results);
 }
 
 }  // namespace hooke

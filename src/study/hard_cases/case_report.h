@@ -15,8 +15,7 @@ inline constexpr std::size_t table_width = 100;
 std::string format_table(std::span<const CaseResult> results);
 
 // {"cases": [{"number", "name", "parameters", "criterion", "remark", "results": [{"method", "outcome", "expected", "broken", "measured",
-// "reason", "cpu_seconds"}]}], "broken", "unfinished"}, without unfinished results. A case with its own table has "columns", and its
-// results have "rows".
+// "reason", "cpu_seconds"}]}], "broken", "unfinished"}, without unfinished results.
 std::string format_json(std::span<const CaseResult> results);
 
 // The origin of a document, as stated in it.

@@ -1,6 +1,5 @@
 // Impacts and the motion after them.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 

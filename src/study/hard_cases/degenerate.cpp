@@ -1,11 +1,10 @@
-// Degenerate scenes: zero lengths, undefined directions, no free points, many springs on one point.
+// Degenerate scenes: zero lengths, undefined directions, many springs on one point.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "formats/scene_file.h"
 #include "study/hard_cases/monitored_run.h"
 #include "study/hard_cases/rows.h"
 
@@ -69,36 +68,6 @@ Verdict judge_coincident_points(const Integrator& method) {
   return worst_of(parts);
 }
 
-Verdict judge_flight(const Integrator& method, const TestNetwork& network, const char* name) {
-  constexpr double seconds = 0.5;
-  MonitoredRun run(network, {.integrator = &method, .substeps = 20});
-  run.run(seconds);
-  double error = 0.0;
-  for (Index i = 0; i < network.system.point_count(); ++i) {
-    const Vec3 start = network.state.position[i], v = network.state.velocity[i];
-    const Vec3 exact = network.system.points()[i].nailed ? start : start + seconds * v + 0.5 * seconds * seconds * network.system.gravity;
-    error = std::max(error, glm::distance(run.state().position[i], exact));
-  }
-  // the error of Euler methods is g h t / 2
-  const double allowed = method.order == 1 ? 9.81 * run.settings().substep() * seconds : 1e-9;
-  // nothing is factorized without unknowns
-  const bool moves = std::ranges::any_of(network.system.points(), [](const Point& point) { return !point.nailed; });
-  const long empty = moves ? 0 : run.lab().last_frame().factorizations();
-  return judge(run, error <= allowed && empty == 0, std::string(name) + formatted(": error %.1g m", error));
-}
-
-Verdict judge_nothing_to_move(const Integrator& method) {
-  TestNetwork nailed;
-  nailed.join(nailed.nail({0.0, 0.0, 0.0}), nailed.nail({1.0, 0.0, 0.0}), 1e6, 0.5, 10.0);
-  TestNetwork single;
-  single.add({0.1, 0.2, 0.3}, 2.0, {1.0, 2.0, 3.0});
-  TestNetwork isolated = nailed;
-  for (int i = 0; i < 5; ++i) isolated.add({0.1 * i, 1.0, 0.0}, 0.1 + i, {0.0, 0.0, 0.5 * i});
-  const std::array parts{judge_flight(method, TestNetwork{}, "empty"), judge_flight(method, nailed, "all nailed"),
-                         judge_flight(method, single, "single point"), judge_flight(method, isolated, "isolated points")};
-  return worst_of(parts);
-}
-
 // Two springs between the same points act as one of twice the stiffness.
 Verdict judge_duplicates(const Integrator& method) {
   const auto swing = [&](int springs, double k) {
@@ -136,27 +105,7 @@ Verdict judge_hub(const Integrator& method) {
   return judge(run, off < 1e-5, formatted("hub of %d springs at rest with an error of %.1g m", spokes, off));
 }
 
-// A spring from a point to itself, in a file and as an edit.
-Verdict judge_self_spring() {
-  bool refused = false;
-  try {
-    parse_scene(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}], "springs": [{"points": [0, 0]}]})", "self.json");
-  } catch (const InputError&) {
-    refused = true;
-  }
-  TestNetwork network;
-  const PointId point = network.add(Vec3(0.0));
-  MonitoredRun run(network, {.substeps = 1});
-  run.lab().submit(Insert{.springs = {{.spring = {.id = run.lab().new_spring_id(), .first = point, .second = point}}}});
-  run.frame();
-  const bool rejected = refused && run.system().spring_count() == 0;
-  return {.outcome = rejected ? Outcome::Held : Outcome::FailedSilently,
-          .measured = rejected ? "self-spring refused" : "self-spring accepted"};
-}
-
-Verdict judge_springs_on_one_point(const Integrator& method) {
-  return worst_of(std::array{judge_self_spring(), judge_duplicates(method), judge_hub(method)});
-}
+Verdict judge_springs_on_one_point(const Integrator& method) { return worst_of(std::array{judge_duplicates(method), judge_hub(method)}); }
 
 }  // namespace
 
@@ -176,19 +125,11 @@ constinit const HardCase coincident_points_case{
     .judge = judge_coincident_points,
 };
 
-constinit const HardCase nothing_to_move_case{
-    .number = 14,
-    .name = "Nothing to move",
-    .parameters = "an empty scene, one with nails only, a single point, isolated points",
-    .criterion = "no crash and no factorization of an empty matrix; free points fall",
-    .judge = judge_nothing_to_move,
-};
-
 constinit const HardCase springs_on_one_point_case{
     .number = 25,
     .name = "Springs on one point",
-    .parameters = "a spring from a point to itself, two between the same points, 1000 on one point",
-    .criterion = "refused; equal to one spring of twice the stiffness to 1e-6 m; at rest at the exact position to 1e-5 m",
+    .parameters = "two springs between the same points, 1000 on one point",
+    .criterion = "equal to one spring of twice the stiffness to 1e-6 m; at rest at the exact position to 1e-5 m",
     .remark = "xpbd, which processes two springs one after the other, may differ by 0.1 m from one of twice the stiffness",
     .judge = judge_springs_on_one_point,
 };

@@ -126,15 +126,15 @@ Verdict judge_slider_jumps(const Integrator& method) {
     moved = moved || before.position != run.state().position || before.velocity != run.state().velocity;
     const double change = compute_energy(run.system(), run.state()).total() - energy;
     worst = std::max(worst, std::abs(change - jump) / (std::abs(jump) + std::abs(energy)));
-    if (adapts(method)) {
+    if (is_adaptive(method)) {
       const double ratio = step_ratio_to_fresh_start(run);
       max_step_ratio = std::max({max_step_ratio, ratio, 1.0 / ratio});
     }
-    run.run(adapts(method) ? 0.1 - 2.0 / 60.0 : 0.1);
+    run.run(is_adaptive(method) ? 0.1 - 2.0 / 60.0 : 0.1);
     if (expectation_of(run) != Expectation::Hold) expected = Expectation::HoldOrReport;
   }
   std::string measured = formatted("energy changes as expected to %.1g", worst);
-  if (adapts(method)) measured += formatted(", step sizes after two frames within %.2g times those of a fresh run", max_step_ratio);
+  if (is_adaptive(method)) measured += formatted(", step sizes after two frames within %.2g times those of a fresh run", max_step_ratio);
   return judge(run, expected, !moved && worst < 1e-9 && max_step_ratio < 2.0, std::move(measured));
 }
 

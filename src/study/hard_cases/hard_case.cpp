@@ -7,26 +7,15 @@
 namespace hooke {
 
 bool is_broken(const Verdict& verdict) {
-  switch (verdict.outcome) {
-    case Outcome::Held:
-      return verdict.expected == Expectation::Report;
-    case Outcome::FailedOpenly:
-      return verdict.expected == Expectation::Hold;
-    case Outcome::FailedSilently:
-      return true;
-    case Outcome::OutOfScope:
-      return false;
-  }
-  return true;
+  const Expectation expected = verdict.expected;
+  return verdict.outcome == Outcome::FailedSilently || (verdict.outcome == Outcome::Held && expected == Expectation::Report) ||
+         (verdict.outcome == Outcome::FailedOpenly && expected == Expectation::Hold);
 }
 
 Verdict worst_of(std::span<const Verdict> parts) {
   // an unexpected result first, then a failure, then success; out of scope only if all parts are
   const auto badness = [](const Verdict& part) {
-    const int outcome = part.outcome == Outcome::FailedSilently ? 3
-                        : part.outcome == Outcome::FailedOpenly ? 2
-                        : part.outcome == Outcome::Held         ? 1
-                                                                : 0;
+    const int outcome = part.outcome == Outcome::OutOfScope ? -1 : static_cast<int>(part.outcome);
     return is_broken(part) ? 10 + outcome : outcome;
   };
   Verdict worst =
@@ -38,29 +27,13 @@ Verdict worst_of(std::span<const Verdict> parts) {
 }
 
 std::string_view describe(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::Held:
-      return "held";
-    case Outcome::FailedOpenly:
-      return "failed openly";
-    case Outcome::FailedSilently:
-      return "failed silently";
-    case Outcome::OutOfScope:
-      return "out of scope";
-  }
-  return {};
+  constexpr std::array<std::string_view, 4> words{"held", "failed openly", "failed silently", "out of scope"};
+  return words[static_cast<std::size_t>(outcome)];
 }
 
 std::string_view describe(Expectation expectation) {
-  switch (expectation) {
-    case Expectation::Hold:
-      return "hold";
-    case Expectation::Report:
-      return "report";
-    case Expectation::HoldOrReport:
-      return "hold or report";
-  }
-  return {};
+  constexpr std::array<std::string_view, 3> words{"hold", "report", "hold or report"};
+  return words[static_cast<std::size_t>(expectation)];
 }
 
 Table<HardCase> hard_cases() {

@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/table.h"
 #include "sim/methods/integrator.h"
@@ -26,9 +25,8 @@ enum class Expectation { Hold, Report, HoldOrReport };
 struct Verdict {
   Outcome outcome = Outcome::Held;
   Expectation expected = Expectation::Hold;
-  std::string measured;                        // the figures of the criterion
-  std::string reason;                          // how a failure was reported, or why it is out of scope
-  std::vector<std::vector<std::string>> rows;  // of the table of the case itself, if it has one: one per step
+  std::string measured;  // the figures of the criterion
+  std::string reason;    // how a failure was reported, or why it is out of scope
 };
 
 bool is_broken(const Verdict& verdict);
@@ -40,8 +38,6 @@ Verdict worst_of(std::span<const Verdict> parts);
 std::string_view describe(Outcome outcome);
 std::string_view describe(Expectation expectation);
 
-enum class Concerns { EveryMethod, NoMethod };
-
 // A list of methods, for a row.
 template <const Integrator&... rows>
 inline constexpr std::array<const Integrator*, sizeof...(rows)> method_list{&rows...};
@@ -52,18 +48,16 @@ struct HardCase {
   std::string_view parameters;
   std::string_view criterion;
   std::string_view remark;  // exceptions with their reasons, and what is not checked; may be empty
-  Concerns concerns = Concerns::EveryMethod;
   // The quick subset leaves out what takes seconds: under every method, or under these.
   bool slow = false;
   std::span<const Integrator* const> slow_under{};
-  std::string_view columns;                    // of its own table, separated by vertical bars; empty: none
-  Verdict (*judge)(const Integrator& method);  // runs it; with the default method if it concerns no method
+  Verdict (*judge)(const Integrator& method);  // runs it
 };
 
 // Whether the quick subset includes it.
 bool is_quick(const HardCase& hard_case, const Integrator& method);
 
-// In the order of their numbers, which start at 1.
+// In the order of their numbers.
 Table<HardCase> hard_cases();
 
 }  // namespace hooke

@@ -1,10 +1,9 @@
 #include "study/hard_cases/monitored_run.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
-#include <cstdio>
-#include <memory>
 
 #include "scene/step_advice.h"
 #include "sim/step/divergence.h"
@@ -37,25 +36,9 @@ std::string describe_stop(Lab& lab, const State& before) {
   const bool kept = lab.scene().state.position == before.position && lab.scene().state.velocity == before.velocity && is_finite(before);
   if (!named || !kept || status.diagnosis.message.empty()) return {};
 
-  const auto kind = [&] {
-    switch (divergence->kind) {
-      case Divergence::Kind::NotFinite:
-        return "infinite or NaN";
-      case Divergence::Kind::EnergyGain:
-        return "energy gain";
-      case Divergence::Kind::Implausible:
-        return "implausible distance";
-      case Divergence::Kind::StepTooShort:
-      case Divergence::Kind::TooManySteps:
-        return "no feasible step";
-      case Divergence::Kind::TooManyPairs:
-        return "too many pairs in contact";
-      case Divergence::Kind::MatrixTooLarge:
-        return "matrix too large";
-    }
-    return "";
-  };
-  std::string name = formatted("diverged at %.3g s: %s", divergence->time, kind());
+  constexpr std::array kinds{"infinite or NaN",           "energy gain",     "implausible distance", "no feasible step", "no feasible step",
+                             "too many pairs in contact", "matrix too large"};
+  std::string name = formatted("diverged at %.3g s: %s", divergence->time, kinds[static_cast<std::size_t>(divergence->kind)]);
   if (divergence->point) name += ", point " + std::to_string(system.index_of(*divergence->point));
   if (divergence->spring) name += ", spring " + std::to_string(system.index_of(*divergence->spring));
   return name;
@@ -123,8 +106,6 @@ Settings settings_for(const Integrator& method, const System& system, const Step
 bool is_stable_at_any_step(const Integrator& method) {
   return method.stability == Stability::EachSpring || method.stability == Stability::AStable || method.stability == Stability::LStable;
 }
-
-bool adapts(const Integrator& method) { return method.stability == Stability::Adaptive; }
 
 Expectation expectation_of(const MonitoredRun& run) {
   const Integrator& method = *run.settings().integrator;

@@ -7,6 +7,7 @@
 #include "base/formatted.h"
 #include "lab/lab.h"
 #include "sim/control/automatic.h"
+#include "study/benchmark.h"
 #include "study/hard_cases/hard_case.h"
 #include "study/hard_cases/test_network.h"
 #include "study/run_monitor.h"
@@ -61,8 +62,6 @@ Settings settings_for(const Integrator& method, const System& system, const Step
 
 // Whether the method is stable at any step, at least for a single spring.
 bool is_stable_at_any_step(const Integrator& method);
-// Whether it chooses its own steps.
-bool adapts(const Integrator& method);
 
 // A run must succeed, unless its step is beyond the limit of its method, or the method guarantees nothing: XPBD with many springs; the
 // implicit midpoint rule, which damps nothing, with rotating springs that are too fast for the step.

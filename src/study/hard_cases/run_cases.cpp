@@ -3,35 +3,25 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <ctime>
 #include <exception>
 #include <thread>
 
-#include "sim/model/settings.h"
+#include "base/threads/thread_time.h"
 #include "study/hard_cases/monitored_run.h"
 
 namespace hooke {
 namespace {
 
-// CPU time of this thread [s].
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-const Integrator& method_of(const CaseResult& result) { return result.method != nullptr ? *result.method : default_integrator(); }
-
 void run(CaseResult& result) {
-  const double start = thread_seconds();
+  const double start = thread_cpu_seconds();
   try {
-    result.verdict = result.hard_case->judge(method_of(result));
+    result.verdict = result.hard_case->judge(*result.method);
   } catch (const Interrupted&) {
     return;
   } catch (const std::exception& error) {
     result.verdict = {.outcome = Outcome::FailedSilently, .reason = std::string("threw: ") + error.what()};
   }
-  result.cpu_seconds = thread_seconds() - start;
+  result.cpu_seconds = thread_cpu_seconds() - start;
   result.finished = true;
 }
 
@@ -39,16 +29,9 @@ void run(CaseResult& result) {
 
 std::vector<CaseResult> list_cases(std::span<const HardCase* const> cases, std::span<const Integrator* const> methods, bool quick) {
   std::vector<CaseResult> results;
-  const auto add = [&](const HardCase& hard_case, const Integrator* method) {
-    CaseResult result{.hard_case = &hard_case, .method = method};
-    if (!quick || is_quick(hard_case, method_of(result))) results.push_back(std::move(result));
-  };
-  for (const HardCase* hard_case : cases) {
-    if (hard_case->concerns == Concerns::NoMethod)
-      add(*hard_case, nullptr);
-    else
-      for (const Integrator* method : methods) add(*hard_case, method);
-  }
+  for (const HardCase* hard_case : cases)
+    for (const Integrator* method : methods)
+      if (!quick || is_quick(*hard_case, *method)) results.push_back({.hard_case = hard_case, .method = method});
   return results;
 }
 
@@ -57,7 +40,7 @@ void run_cases(std::span<CaseResult> results, int threads, const std::function<b
   std::vector<CaseResult*> order;
   for (CaseResult& result : results) order.push_back(&result);
   std::stable_partition(order.begin(), order.end(),
-                        [](const CaseResult* result) { return !is_quick(*result->hard_case, method_of(*result)); });
+                        [](const CaseResult* result) { return !is_quick(*result->hard_case, *result->method); });
 
   std::atomic<std::size_t> next = 0;
   std::atomic<long> done = 0;

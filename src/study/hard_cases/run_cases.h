@@ -10,13 +10,13 @@ namespace hooke {
 
 struct CaseResult {
   const HardCase* hard_case = nullptr;
-  const Integrator* method = nullptr;  // null if no method is concerned
+  const Integrator* method = nullptr;
   bool finished = false;
   Verdict verdict;
   double cpu_seconds = 0.0;
 };
 
-// Every case with every method that it concerns, not yet run; only the quick ones for the quick subset.
+// Every case with every method, not yet run; only the quick ones for the quick subset.
 std::vector<CaseResult> list_cases(std::span<const HardCase* const> cases, std::span<const Integrator* const> methods, bool quick);
 
 // Runs the cases. The verdicts do not depend on the threads; a case that throws has failed silently. `should_continue` receives the number

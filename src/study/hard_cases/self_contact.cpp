@@ -1,6 +1,5 @@
 // Contact between points, springs and faces. Where the criterion counts crossings, a test repeats the run with a count of its own.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 

@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 
+#include "base/errors.h"
+#include "formats/scene_file.h"
 #include "sim/methods/implicit/newton.h"
 #include "sim/methods/rows.h"
+#include "sim/step/divergence.h"
 #include "study/analytic_scenes.h"
 #include "study/benchmark.h"
 #include "study/hard_cases/monitored_run.h"
@@ -40,7 +42,7 @@ Verdict judge_stiff_spring(const Integrator& method) {
   MonitoredRun run(network, {.integrator = &method, .substeps = 1}, {.position = 1e-6 * rest_length});
 
   // it resolves the exact oscillation in thousands of steps per frame
-  if (adapts(method)) {
+  if (is_adaptive(method)) {
     run.run(frame);
     if (run.stopped()) return judge(run, false, "");
     return {.outcome = Outcome::OutOfScope, .reason = "resolves the undamped oscillation in thousands of steps per frame"};
@@ -92,7 +94,7 @@ Verdict solve_to_convergence(double k_dt2_per_m) {
 }
 
 std::vector<Verdict> crumple(const Integrator& method, double k_dt2_per_m) {
-  if (adapts(method) && k_dt2_per_m > 1e5)
+  if (is_adaptive(method) && k_dt2_per_m > 1e5)
     return {{.outcome = Outcome::OutOfScope, .reason = "resolves the oscillations of these springs in thousands of steps per frame"}};
 
   // one second of one sheet, and the first frames of nine others
@@ -158,6 +160,24 @@ Verdict compress(const Integrator& method, double k_dt2_per_m) {
 
 Verdict judge_compressed_sheet(const Integrator& method) { return worst_of(std::array{compress(method, 4.0), compress(method, 4e4)}); }
 
+// Every shipped scene for a second: it finishes or is stopped with a report.
+Verdict judge_one_substep(const Integrator& method) {
+  int held = 0;
+  std::vector<Verdict> parts;
+  for (const ShippedScene& shipped : shipped_scenes()) {
+    const Scene scene = load_scene(shipped.file).scene;
+    MonitoredRun run({scene.system, scene.state}, {.integrator = &method, .substeps = 1});
+    run.run(1.0);
+    parts.push_back(judge(run, is_finite(run.state()), ""));
+    if (parts.back().outcome == Outcome::FailedOpenly) parts.back().reason = shipped.id + ": " + parts.back().reason;
+    held += run.stopped() ? 0 : 1;
+  }
+  if (parts.empty()) throw FileError((assets_folder() / "scenes").string() + ": no scenes found");
+  Verdict verdict = worst_of(parts);
+  verdict.measured = formatted("%d of %zu scenes finish", held, parts.size());
+  return verdict;
+}
+
 Verdict judge_huge_damping(const Integrator& method) {
   const InitialState net = make_net(16, 1e4, 1e3);
   const TestNetwork network{net.system, net.state};
@@ -220,6 +240,15 @@ constinit const HardCase compressed_sheet_case{
     .remark = "baraff_witkin may fail: its single linear solve overshoots along directions without stiffness",
     .slow_under = method_list<blanes_moan4, runge_kutta4, dop853>,
     .judge = judge_compressed_sheet,
+};
+
+constinit const HardCase one_substep_case{
+    .number = 10,
+    .name = "One substep per frame",
+    .parameters = "every shipped scene, one step of 1/60 s per frame, 1 s",
+    .criterion = "finite to the end where the method declares that step stable; otherwise the divergence check may stop it",
+    .slow_under = method_list<dop853, implicit_euler, baraff_witkin, implicit_midpoint, tr_bdf2, esdirk4>,
+    .judge = judge_one_substep,
 };
 
 constinit const HardCase huge_damping_case{

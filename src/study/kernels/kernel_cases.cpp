@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -12,11 +11,13 @@
 
 #include "base/formatted.h"
 #include "base/threads/thread_team.h"
+#include "base/threads/thread_time.h"
 #include "formats/scene_file.h"
 #include "sim/control/frame_runner.h"
 #include "sim/forces/single_precision.h"
 #include "sim/model/portable_math.h"
 #include "study/benchmark.h"
+#include "study/hard_cases/test_network.h"
 
 namespace hooke {
 namespace {
@@ -116,30 +117,16 @@ constexpr std::array rows{
     KernelCase{.name = "tr_bdf2 per 1/60 s", .method = "tr_bdf2", .step = implicit_step, .max_size = 64},
 };
 
-// Numbers from a fixed seed (Steele, Lea and Flood 2014, splitmix64): the same order everywhere.
-class Random {
- public:
-  std::size_t below(std::size_t limit) {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return static_cast<std::size_t>((z ^ (z >> 31)) % limit);
-  }
-
- private:
-  std::uint64_t state_ = 1;
-};
-
 std::vector<std::size_t> shuffled(std::size_t count, Random& random) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), 0u);
-  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random.next_bits() % i]);
   return order;
 }
 
 // The same net with its points and springs in another order.
 void shuffle(Scene& scene) {
-  Random random;
+  Random random(1);
   const std::vector<Point> points = scene.system.points();
   const std::vector<Spring> springs = scene.system.springs();
   const State state = scene.state;
@@ -198,7 +185,7 @@ KernelTime measure_kernel(const KernelCase& row, int n, bool quick) {
   // other threads take CPU time while they wait
   const auto now = [&] {
     const std::chrono::duration<double> real = std::chrono::steady_clock::now().time_since_epoch();
-    return row.threads > 1 ? real.count() : cpu_seconds();
+    return row.threads > 1 ? real.count() : thread_cpu_seconds();
   };
   FrameRunner frame;
   const auto take_frame = [&] {

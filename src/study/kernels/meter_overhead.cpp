@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "base/threads/thread_time.h"
 #include "lab/lab.h"
 #include "sim/methods/step_limits.h"
 #include "study/benchmark.h"
@@ -35,10 +36,10 @@ std::vector<double> run_parts(const Scene& scene, AccuracyMode mode) {
   lab.apply_pending();
   std::vector<double> times(parts_of_run, HUGE_VAL);
   for (double& time : times) {
-    const double start = cpu_seconds();
+    const double start = thread_cpu_seconds();
     for (int frame = 0; frame < frames_of_part; ++frame)
       if (!lab.step()) return times;
-    time = cpu_seconds() - start;
+    time = thread_cpu_seconds() - start;
   }
   return times;
 }

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <utility>
-#include <vector>
 
 #include "base/file_limits.h"
 #include "edit/apply.h"

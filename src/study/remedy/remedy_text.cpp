@@ -1,5 +1,6 @@
 // A remedy in words.
 #include "base/number_text.h"
+#include "base/text_lines.h"
 #include "study/remedy/remedy.h"
 
 namespace hooke {
@@ -9,9 +10,8 @@ std::string seconds_text(double seconds) { return quantity_text(seconds, "s", 3)
 
 // The warnings in quotation marks, since they have semicolons; empty without warnings.
 std::string exceptions(const std::vector<std::string>& warnings) {
-  std::string text;
-  for (const std::string& warning : warnings) text += (text.empty() ? "" : ", ") + ("\"" + warning + "\"");
-  if (text.empty()) return text;
+  if (warnings.empty()) return "";
+  const std::string text = joined(warnings, [](const std::string& warning) { return "\"" + warning + "\""; });
   return (warnings.size() == 1 ? ", but there is a warning: " : ", but there are warnings: ") + text;
 }
 

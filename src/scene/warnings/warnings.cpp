@@ -1,11 +1,13 @@
-#include "scene/warnings/bending_warning.h"
+#include "scene/warnings/warnings.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "base/number_text.h"
 #include "sim/forces/terms/rows.h"
+#include "sim/plan/enclosures.h"
 #include "sim/plan/hinges.h"
 #include "sim/plan/rest_faces.h"
 
@@ -49,6 +51,42 @@ std::optional<std::string> rest_angle_warning(const System& system) {
   }
   if (count > 1) *first_of_them += " (the first of " + std::to_string(count) + " such edges)";
   return first_of_them;
+}
+
+std::optional<std::string> pressure_warning(const System& system) {
+  const auto presses = [](const Force& force) { return force.on && force.term == &pressure_force; };
+  if (std::ranges::none_of(system.forces, presses)) return std::nullopt;
+  const EnclosurePlan plan = plan_enclosures(system);
+  const std::size_t closed = plan.enclosures.size(), all = closed + static_cast<std::size_t>(plan.open);
+  const bool is_flat = system.dimensions == 2;
+  const std::string surfaces = is_flat ? "closed lines of springs" : "closed surfaces of faces";
+  if (all == 0) return "forces: pressure: fills " + surfaces + " only: this scene has none";
+  if (plan.open == 0) return std::nullopt;
+  return "forces: pressure: fills " + std::to_string(closed) + " of the " + std::to_string(all) +
+         (is_flat ? " sets of faces: the others have an edge of more than two faces, no springs along their border, or rest lengths that "
+                    "enclose nothing"
+                  : " surfaces: the others have edges that do not belong to exactly two faces, or faces whose springs are missing or have "
+                    "rest lengths that form no triangle");
+}
+
+std::optional<std::string> strain_limit_warning(const System& system, const State& state) {
+  constexpr double min_excess = 1.01;  // of the length, from which on energy is not conserved (sim/forces/spring_limits.cpp)
+  if (!(system.strain_limit > 0.0)) return std::nullopt;
+  std::size_t count = 0, index = 0;
+  std::string first;
+  for (const Spring& spring : system.springs()) {
+    const std::size_t s = index++;
+    if (!system.is_on(spring) || !(spring.rest_length > 0.0)) continue;
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    const double length = glm::distance(state.position[i], state.position[j]), max = spring.rest_length * (1.0 + system.strain_limit);
+    if (!(length > min_excess * max) || (system.points()[i].nailed && system.points()[j].nailed) || count++ != 0) continue;
+    first = "spring " + std::to_string(s) + " (points " + std::to_string(i) + " and " + std::to_string(j) + ") starts " +
+            quantity_text(length, "m", 3) + " long, where the limit is " + quantity_text(max, "m", 3);
+  }
+  if (count == 0) return std::nullopt;
+  if (count > 1) first += " (the first of " + std::to_string(count) + " such springs)";
+  return "strain_limit_percent: " + quantity_text(100.0 * system.strain_limit, "%", 3) + ": " + first +
+         ": the first substep shortens what is too long at once, whatever the forces are";
 }
 
 }  // namespace hooke
