@@ -24,7 +24,7 @@ InitialState initial_state_of(Network network) {
 }
 
 // n x n points on 1 m x 1 m, 1 kg, the top row nailed, swinging out of its plane with v_z = push s (1 + cos(pi u)) / 2.
-InitialState make_sheet(int n, double k, double k_diagonal, double d, double initial_speed) {
+InitialState make_analytic_sheet(int n, double k, double k_diagonal, double d, double initial_speed) {
   Cloth cloth{.columns = n,
               .rows = n,
               .fabric = {.mass_model = MassModel::Equal, .mass = 1.0, .stiffness = k, .damping = d, .nails = std::vector<Index>(n)},
@@ -43,7 +43,7 @@ InitialState make_sheet(int n, double k, double k_diagonal, double d, double ini
 }  // namespace
 
 InitialState make_net(int n, double k, double d) {
-  InitialState start = make_sheet(n, k, 0.0, d, 0.5);
+  InitialState start = make_analytic_sheet(n, k, 0.0, d, 0.5);
 
   // the springs down to row r carry the n - r rows below it
   const double weight = gravity / (n * n);
@@ -55,7 +55,7 @@ InitialState make_net(int n, double k, double d) {
   return start;
 }
 
-InitialState make_curtain(int n, double k, double d) { return make_sheet(n, k, k, d, 1.0); }
+InitialState make_curtain(int n, double k, double d) { return make_analytic_sheet(n, k, k, d, 1.0); }
 
 InitialState make_chain(int links, double mass_ratio) {
   constexpr double m = 1e-3, stretch = 0.05, spin = 1.0;  // [kg], [1], [rad/s]

@@ -17,7 +17,7 @@ namespace hooke {
 namespace {
 
 // A matrix product with this many springs takes tens of milliseconds.
-constexpr Index max_springs = 1'000'000;
+constexpr Index max_forecast_springs = 1'000'000;
 // Residual force accepted as equilibrium, relative to the typical force. The displacement of a flat cloth grows with the cube root of its
 // load, so the residual must be small. Folds converge slowly, and a sheet without weight has many equilibria, for which 1e-2 is enough.
 constexpr double target_residual = 1e-6, acceptable_residual = 1e-2, equilibrium_residual = 1e-4;
@@ -207,7 +207,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
 Forecast make_forecast(const std::shared_ptr<const System>& system, const State& state, const Forecast& before,
                        const std::atomic<bool>& stop, Index max_points) {
   Forecast forecast{.drag = system->drag_rate(), .system = system};
-  if (system->spring_count() == 0 || system->spring_count() > max_springs) return forecast;
+  if (system->spring_count() == 0 || system->spring_count() > max_forecast_springs) return forecast;
   const bool has_external_forces = std::ranges::any_of(system->forces, &Force::on);
   Statics statics = make_statics(*system);
   // muscles and winches stay where they are now

@@ -15,9 +15,9 @@
 namespace hooke {
 namespace {
 
-constexpr double round_off = 1e-14;        // relative: further refinement has no effect
-constexpr double perturbation = 1e-10;     // relative to the size of the problem
-constexpr std::size_t max_candidates = 4;  // methods tried for the two solutions
+constexpr double refinement_limit = 1e-14;  // relative: further refinement has no effect
+constexpr double perturbation = 1e-10;      // relative to the size of the problem
+constexpr std::size_t max_candidates = 4;   // methods tried for the two solutions
 
 Vec3 center_of_mass(const System& system, const State& state) {
   Vec3 sum(0.0);
@@ -93,9 +93,9 @@ std::optional<Refinement> refine(Benchmark& benchmark, const Integrator& method,
                           .gap = gap,
                           .snapshots = fine.snapshots,
                           .coarser = coarse.snapshots};
-      if (gap < round_off || has_stalled) break;
+      if (gap < refinement_limit || has_stalled) break;
     }
-    if (setting.tolerance && *setting.tolerance < round_off * problem.size) break;
+    if (setting.tolerance && *setting.tolerance < refinement_limit * problem.size) break;
     if (best && fine.end != RunResult::End::Finished) break;
     coarse = std::move(fine);
   }

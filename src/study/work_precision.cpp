@@ -21,7 +21,7 @@ void sort_rows(std::vector<Row>& rows) {
 }
 
 // The first setting of a sweep: at the stability limit if there is one, otherwise four steps per snapshot.
-Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
+Setting coarsest_setting(const Benchmark& benchmark, const Integrator& method) {
   if (is_adaptive(method)) return {.tolerance = 1e-2 * benchmark.problem().size};
   const double limit = StepLimits(benchmark.spectrum()).stable_step(method);
   if (!(limit > 0.0) || !std::isfinite(limit)) return {.steps = 4};
@@ -49,7 +49,7 @@ PrecisionSweep::PrecisionSweep(const Problem& problem, const Effort& effort, Pro
     : problem_(problem), effort_(effort), record_(record), benchmark_(problem) {}
 
 bool PrecisionSweep::run(const Integrator& method) {
-  const Setting first = first_setting(benchmark_, method);
+  const Setting first = coarsest_setting(benchmark_, method);
   const Row* row = measure(method, first);
   if (row != nullptr && is_stable(*row)) sweep_coarser(method, first);
   if (!stopped_) sweep_finer(method, first);

@@ -9,7 +9,7 @@
 namespace hooke {
 namespace {
 
-constexpr double g = 9.81;  // [m/s^2]
+constexpr double gravity_of_falls = 9.81;  // [m/s^2]
 
 // A sheet of 1 m and 1 kg falls onto a ball on the ground.
 Verdict judge_cloth_on_ball(const Integrator& method) {
@@ -53,15 +53,15 @@ Verdict judge_fast_impact(const Integrator& method) {
     highest = std::max(highest, run.state().position[0].y);
     lowest = std::min(lowest, run.state().position[0].y);
   }
-  const double impact_speed_squared = 100.0 * 100.0 + 2.0 * g * above;
-  const double error = highest / (e * e * impact_speed_squared / (2.0 * g)) - 1.0;
+  const double impact_speed_squared = 100.0 * 100.0 + 2.0 * gravity_of_falls * above;
+  const double error = highest / (e * e * impact_speed_squared / (2.0 * gravity_of_falls)) - 1.0;
   return judge(run, lowest >= -1e-9 && std::abs(error) < 0.01, formatted("rebound error %+.2g, lowest %.1g m", error, lowest));
 }
 
 // Dropped from 1 m, e = 0.9: at rest at t1 (1 + e) / (1 - e), t1 = sqrt(2 h / g), after ever smaller bounces.
 Verdict judge_endless_bounces(const Integrator& method) {
   constexpr double e = 0.9, height = 1.0;
-  const double rest = std::sqrt(2.0 * height / g) * (1.0 + e) / (1.0 - e);
+  const double rest = std::sqrt(2.0 * height / gravity_of_falls) * (1.0 + e) / (1.0 - e);
   std::vector<Verdict> parts;
   for (const int substeps : {1, 20}) {
     TestNetwork network;

@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 
 // A grid of points with springs right, down and, of half the stiffness, along both diagonals, and two faces per cell.
-struct Cloth {
+struct PlainCloth {
   int rows, columns;
   double width = 1.0, height = 1.0;      // [m], at rest
   double mass = 0.2, stiffness = 300.0;  // [kg], [N/m]
@@ -23,7 +23,7 @@ struct Cloth {
 
 // Adds it; place(u, v) and velocity(u, v) of the point at u m to the right and v m below the first one at rest. Returns the points.
 template <class Place, class Velocity>
-std::vector<PointId> add_cloth(TestNetwork& network, const Cloth& cloth, const Place& place, const Velocity& velocity) {
+std::vector<PointId> add_cloth(TestNetwork& network, const PlainCloth& cloth, const Place& place, const Velocity& velocity) {
   const double across = cloth.width / (cloth.is_tube ? cloth.columns : cloth.columns - 1), down = cloth.height / (cloth.rows - 1);
   const double diagonal = std::hypot(across, down), mass = cloth.mass / (cloth.rows * cloth.columns);
   std::vector<PointId> ids;
@@ -94,7 +94,7 @@ ContactScene make_crossing_cloths() {
   ContactScene scene{.seconds = 0.3};
   System& system = scene.network.system;
   system.gravity = Vec3(0.0);
-  const Cloth cloth{.rows = 13, .columns = 13};
+  const PlainCloth cloth{.rows = 13, .columns = 13};
   add_cloth(
       scene.network, cloth, [](double u, double v) { return Vec3(u - 0.5, v - 0.5, -0.1); },
       [](double, double) { return Vec3(0.0, 0.0, 10.0); });

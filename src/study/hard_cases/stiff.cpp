@@ -17,7 +17,7 @@ namespace hooke {
 namespace {
 
 constexpr double frame = 1.0 / 60.0;  // [s]
-constexpr double round_off = 1e-9;    // of sums of energies
+constexpr double energy_round_off = 1e-9;    // of sums of energies
 
 // First order and dissipative: the energy never rises, however the springs rotate.
 bool is_dissipative(const Integrator& method) {
@@ -55,7 +55,7 @@ Verdict judge_stiff_spring(const Integrator& method) {
   const double off = std::abs(-run.state().position[0].y - eq) / rest_length;
   // without numerical damping it keeps oscillating
   const Expectation expected = method.stability == Stability::AStable ? Expectation::HoldOrReport : Expectation::Hold;
-  return judge(run, expected, off <= 1e-6 && run.monitor().energy_rise() <= round_off,
+  return judge(run, expected, off <= 1e-6 && run.monitor().energy_rise() <= energy_round_off,
                formatted("%.1g l0 from rest, energy rises %.1g", off, run.monitor().energy_rise()));
 }
 
@@ -110,7 +110,7 @@ std::vector<Verdict> crumple(const Integrator& method, double k_dt2_per_m) {
   std::vector<Verdict> parts;
   // methods whose energy can only fall: it falls whether the solves converge or not, because they never end above their starting value
   parts.push_back(judge(run, is_dissipative(method) ? Expectation::Hold : expectation_of(run),
-                        rise <= (is_dissipative(method) ? round_off : 0.02), formatted("%.0e: energy rises %.1g", k_dt2_per_m, rise)));
+                        rise <= (is_dissipative(method) ? energy_round_off : 0.02), formatted("%.0e: energy rises %.1g", k_dt2_per_m, rise)));
   if (!is_dissipative(method) && unconverged > 0) parts.back().expected = Expectation::HoldOrReport;
   if (unconverged > 0)
     parts.push_back({.outcome = Outcome::FailedOpenly,
@@ -149,7 +149,7 @@ Verdict compress(const Integrator& method, double k_dt2_per_m) {
   for (const Vec3& x : run.state().position) highest = std::max(highest, std::abs(x.z));
   const double rise = run.monitor().energy_rise();
   const bool must_never_rise = is_dissipative(method) && method.implicit_solve == ImplicitSolve::Iterative;
-  const bool solves = run.monitor().unconverged_solves() == 0, never_rises = rise <= (must_never_rise ? round_off : 1e-3);
+  const bool solves = run.monitor().unconverged_solves() == 0, never_rises = rise <= (must_never_rise ? energy_round_off : 1e-3);
 
   // one linear solve overshoots along unconstrained directions, and solves that are stopped early report it
   Expectation expected = expectation_of(run);
