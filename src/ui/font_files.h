@@ -4,17 +4,17 @@
 #include <filesystem>
 #include <system_error>
 
+#include "formats/scene_file.h"
+
 namespace hooke {
 
-// DejaVu Sans: fonts-dejavu-core of Debian, on which the package depends.
-inline constexpr const char* fonts_folder = "/usr/share/fonts/truetype/dejavu";
-
-// Without them letters are those of the font built into ImGui, and pictures differ.
-inline bool has_font_files() {
+// DejaVu Sans, shipped beside the scenes, so that pictures do not depend on the fonts of the machine. The Debian package depends on
+// fonts-dejavu-core, which has the same files. Empty: neither is there, and letters are those of the font built into ImGui.
+inline std::filesystem::path font_file(const char* name) {
   std::error_code error;
-  const std::filesystem::path folder(fonts_folder);
-  return std::filesystem::is_regular_file(folder / "DejaVuSans.ttf", error) &&
-         std::filesystem::is_regular_file(folder / "DejaVuSans-Bold.ttf", error);
+  for (const std::filesystem::path& folder : {assets_folder() / "fonts", std::filesystem::path("/usr/share/fonts/truetype/dejavu")})
+    if (std::filesystem::is_regular_file(folder / name, error)) return folder / name;
+  return {};
 }
 
 }  // namespace hooke

@@ -24,9 +24,7 @@ constexpr ImWchar missing_glyph = 0x25a1;  // a box
 ImFont* load_font(const char* name, double size, double density) {
   const float pixels = static_cast<float>(std::round(size * density));
   ImGuiIO& io = ImGui::GetIO();
-  const std::filesystem::path file = std::filesystem::path(fonts_folder) / name;
-  std::error_code error;
-  if (std::filesystem::is_regular_file(file, error))
+  if (const std::filesystem::path file = font_file(name); !file.empty())
     if (ImFont* font = io.Fonts->AddFontFromFileTTF(file.c_str(), pixels, nullptr, glyphs)) {
       font->FallbackChar = missing_glyph;
       return font;

@@ -38,8 +38,9 @@ int capture(const Options& options) {
   parse_size(options.size);
   parse_destination(options.out);
   if (options.camera) parse_camera(*options.camera);
-  if ((options.panels || options.stamp) && !options.scene->quiet && !has_font_files())
-    std::cerr << "warning: " << fonts_folder << ": no DejaVu Sans (package fonts-dejavu-core): text is drawn with another font\n";
+  if ((options.panels || options.stamp) && !options.scene->quiet &&
+      (font_file("DejaVuSans.ttf").empty() || font_file("DejaVuSans-Bold.ttf").empty()))
+    std::cerr << "warning: " << (assets_folder() / "fonts").string() << ": no DejaVu Sans: text is drawn with another font\n";
   std::shared_ptr<const Recording> recording;
   Lab lab = open_lab(options, recording);
   lab.set_execution(make_execution(lab, options.threads));
