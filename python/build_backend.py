@@ -47,7 +47,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     name, prefix = f"hooke-{version}", pathlib.Path(wheel_directory).resolve() / "hooke-install"
     _install(prefix)
     files = {f"hooke/{file.name}": file.read_bytes() for file in sorted(next(prefix.rglob("_hooke*.so")).parent.iterdir()) if file.is_file()}
-    for folder, kind in (("scenes", ".json"), ("textures", ".png")):
+    for folder, kind in (("scenes", ".json"), ("textures", ".png"), ("fonts", "")):
         for file in sorted((root / "assets" / folder).glob(f"*{kind}")):
             files[f"hooke/share/hooke/{folder}/{file.name}"] = file.read_bytes()
     shutil.rmtree(prefix)
