@@ -324,5 +324,32 @@ TEST(Bench, TheDocumentedMethodsAreThoseOfTheTable) {
   EXPECT_EQ(contents(scratch.folder / "methods.md"), contents(DOCS_FOLDER "/reference/methods.md"));
 }
 
+TEST(Bench, VerifyFailsOnlyWhereAnErrorHasGrown) {
+  const ScratchFolder scratch;
+  const fs::path now = scratch.folder / "now";
+  fs::create_directory(now);
+  const std::vector<std::string> request{"two_masses", "--methods", "velocity_verlet", "--quick", "--quiet"};
+  ASSERT_EQ(Process(now, request).wait(), 0);
+  Results results = parse_results(contents(now / "bench.json"), "now");
+  const auto verify = [&] {
+    std::ofstream(scratch.folder / "earlier.json") << format_results(results);
+    std::vector<std::string> arguments = request;
+    arguments.insert(arguments.end(), {"--verify", scratch.folder / "earlier.json", "--junit", scratch.folder / "junit.xml"});
+    const Process process(now, arguments);
+    return std::pair(process.wait(), process.errors());
+  };
+  EXPECT_EQ(verify(), std::pair(0, std::string()));
+  const auto found = std::ranges::find_if(results.problems[0].rows, [](const Row& row) { return row.relative_error > 1e-6; });
+  ASSERT_NE(found, results.problems[0].rows.end());
+  *found->relative_error *= 0.8;
+  const auto [code, errors] = verify();
+  EXPECT_EQ(code, 1);
+  EXPECT_TRUE(errors.starts_with("two_masses, velocity_verlet, " + found->setting + ": error ")) << errors;
+  EXPECT_EQ(std::ranges::count(errors, '\n'), 1);
+  EXPECT_NE(contents(scratch.folder / "junit.xml").find("failures=\"1\""), std::string::npos);
+  results.problems[0].id = "another";
+  EXPECT_EQ(verify().first, 3);
+}
+
 }  // namespace
 }  // namespace hooke

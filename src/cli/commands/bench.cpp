@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
+#include "base/errors.h"
 #include "base/printable.h"
 #include "base/read_file.h"
 #include "batch/bench.h"
+#include "batch/bench_comparison.h"
 #include "batch/bench_report.h"
+#include "batch/junit.h"
 #include "batch/output_file.h"
 #include "cli/commands/bench_progress.h"
 #include "cli/commands/bench_tables.h"
@@ -21,6 +25,8 @@ struct BenchOptions {
   std::vector<std::string> methods;  // ids; empty: all
   std::filesystem::path folder = ".";
   std::filesystem::path report_of;  // results to write a report of, without measuring
+  std::filesystem::path verify;     // earlier results to compare with; empty: none
+  std::optional<std::string> junit;
   bool quick = false, quiet = false, scaling = false, kernels = false, edits = false, capacity = false, overhead = false;
   double error = 1e-3;  // [1], of the cloths of --capacity, relative to their width
   std::string shard = "1/1";
@@ -65,7 +71,23 @@ BenchRequest request_of(const BenchOptions& options) {
   return request;
 }
 
+// Whether no error is larger than in the earlier results.
+bool is_as_accurate(const Results& earlier, const Results& now, const BenchOptions& options) {
+  const std::vector<JunitCase> cases = compare_with_earlier(earlier, now);
+  if (cases.empty()) throw InputError(printable(options.verify.native()) + ": has no problem, method and setting that was measured now");
+  for (const JunitCase& each : cases)
+    if (!each.failure.empty()) std::cerr << each.group << ", " << each.name << ": " << each.failure << "\n";
+  if (options.junit) {
+    OutputFile file(*options.junit);
+    file.write(format_junit("hooke bench", cases));
+    file.close();
+  }
+  return std::ranges::all_of(cases, &std::string::empty, &JunitCase::failure);
+}
+
 int bench(const BenchOptions& options) {
+  std::optional<Results> earlier;
+  if (!options.verify.empty()) earlier = parse_results(read_file(options.verify), printable(options.verify.native()));
   const BenchRequest request = request_of(options);
   BenchProgress progress(request.shard.count_of(request.problems.size() * request.methods.size()), !options.quiet);
   bool is_interrupted = false;
@@ -86,14 +108,15 @@ int bench(const BenchOptions& options) {
   const BenchResults results = run_bench(request, hooks);
   progress.clear();
   draw_charts_or_warn(results.results, options.folder);
-  if (!options.quiet)
+  if (!options.quiet && options.junit != "-")
     for (const ProblemRecord& record : results.results.problems) std::cout << report(record);
   if (is_interrupted) {
     std::cerr << "Interrupted. Results so far are saved; the same command resumes from them.\n";
     return exit_interrupted();
   }
   if (!results.is_complete) std::cerr << "Time limit of --quick reached. Results so far are saved; the same command resumes from them.\n";
-  return results.has_failed ? exit_code::check_failed : exit_code::success;
+  const bool is_worse = earlier && !is_as_accurate(*earlier, results.results, options);
+  return results.has_failed || is_worse ? exit_code::check_failed : exit_code::success;
 }
 
 }  // namespace
@@ -110,6 +133,13 @@ std::function<int()> declare_bench(CLI::App& app) {
   app.add_flag("--quick", options->quick, "Fewer problems, coarser, in at most a minute");
   app.add_flag("-q,--quiet", options->quiet, "Print neither report nor progress");
   add_shard_option(app, options->shard);
+  CLI::Option* verify = app.add_option("--verify", options->verify,
+                                       "Exit with code 1 if an error is more than 10 % larger than in these results, or a run does not "
+                                       "finish that did")
+                            ->type_name("bench.json");
+  app.add_option("--junit", options->junit, "Of --verify: write the comparison as the XML of JUnit; - for stdout")
+      ->type_name("FILE")
+      ->needs(verify);
   // what is done instead of measuring the scenes, one at a time
   std::vector<CLI::Option*> instead{
       app.add_option("--report", options->report_of, "Write the tables and charts of these results to DIR again, without measuring")
@@ -139,6 +169,7 @@ std::function<int()> declare_bench(CLI::App& app) {
     if (!is_overhead) option->excludes("SCENE");
     if (!is_overhead && !is_capacity) option->excludes("--methods");
     option->excludes("--shard");
+    option->excludes(verify);
     for (CLI::Option* other : instead)
       if (other != option) option->excludes(other);
   }
