@@ -46,12 +46,6 @@ struct PlannedPull {
   Vec3 from{0.0}, velocity{0.0};
   Vec3 target_at(double time) const { return from + (time - start) * velocity; }
   std::span<const Part> points() const { return {parts.data(), static_cast<std::size_t>(count)}; }
-  // The weighted mean over the points of the component of a field that starts at x.
-  double interpolate(const double* x) const {
-    double sum = 0.0;
-    for (const Part& part : points()) sum += part.weight * x[part.point];
-    return sum;
-  }
 };
 
 // `cells` quads, from the panel `first` on,
