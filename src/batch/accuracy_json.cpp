@@ -33,14 +33,14 @@ void write_error(JsonWriter& json, const Accuracy& accuracy) {
 
 void write_half_error(JsonWriter& json, const Accuracy& accuracy) {
   json.begin_object(JsonWriter::Layout::Line);
-  if (accuracy.half_error_substeps > 0) {
-    json.integer("substeps", accuracy.half_error_substeps);
-    if (accuracy.half_error_tolerance > 0.0) json.number("tolerance", accuracy.half_error_tolerance);
-    json.number("cost", accuracy.half_error_cost);
+  if (accuracy.half_error.substeps > 0) {
+    json.integer("substeps", accuracy.half_error.substeps);
+    if (accuracy.half_error.tolerance > 0.0) json.number("tolerance", accuracy.half_error.tolerance);
+    json.number("cost", accuracy.half_error.cost);
   } else {
     json.null("substeps");
     json.null("cost");
-    json.text("reason", accuracy.is_on ? accuracy.half_error_reason : accuracy.off_reason);
+    json.text("reason", accuracy.is_on ? accuracy.half_error.reason : accuracy.off_reason);
   }
   json.end();
 }

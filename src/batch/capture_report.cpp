@@ -47,7 +47,7 @@ void CaptureReport::add(const Lab& lab, const std::string& file) {
   std::string row = csv_row(report_quantities(), scene.system, scene.state, &accuracy);
   row.pop_back();
   const std::string half =
-      accuracy.half_error_substeps > 0 ? std::to_string(accuracy.half_error_substeps) + "," + format_exact(accuracy.half_error_cost) : ",";
+      accuracy.half_error.substeps > 0 ? std::to_string(accuracy.half_error.substeps) + "," + format_exact(accuracy.half_error.cost) : ",";
   csv_.write(file + "," + row + "," + half + "," + hash + "\n");
 
   json_.begin_object(JsonWriter::Layout::Line);

@@ -68,8 +68,8 @@ void add_orders(std::string& text) {
       "|---|---|---|---|---|---|---|---|\n";
   for (const Integrator& method : integrators()) {
     text += "| `" + std::string(method.id) + "` |";
-    for (const int order : {method.order, method.order_with.drag, method.order_with.damped, method.order_with.contact,
-                            method.order_with.friction, method.order_with.force_terms, method.order_with.force_terms})
+    for (const int order : {method.order, method.order_with.drag, method.order_with.damped, method.order_with.contact, friction_order,
+                            method.order_with.force_terms, method.order_with.force_terms})
       text += " " + std::to_string(order) + " |";
     text += "\n";
   }

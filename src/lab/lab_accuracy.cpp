@@ -34,8 +34,8 @@ Accuracy Lab::accuracy() const {
   Accuracy accuracy = measuring_.meter.accuracy(settings_used(scene_.settings, scene_.state));
   accuracy.time = scene_.state.time;
   if (const auto& choice = scene_.state.memory.choice; choice && is_automatic(scene_.settings)) accuracy.estimated = choice->error;
-  if (is_automatic(scene_.settings) && accuracy.half_error_substeps > 0)
-    accuracy.half_error_tolerance = 0.5 * scene_.settings.tolerance.value_or(default_automatic_tolerance);
+  if (is_automatic(scene_.settings) && accuracy.half_error.substeps > 0)
+    accuracy.half_error.tolerance = 0.5 * scene_.settings.tolerance.value_or(default_automatic_tolerance);
   return accuracy;
 }
 

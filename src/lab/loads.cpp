@@ -20,7 +20,7 @@ Loads compute_loads(const Plan& plan, const System& system, const State& state) 
   pack(plan, state, motion);
   const auto unpacked = [&](const Field& f) {
     std::vector<Vec3> vectors(state.position.size(), Vec3(0.0));
-    for (Index i = 0; i < plan.points; ++i) vectors[plan.listed_index(i)] = vector_at(plan, f, i);
+    for (Index i = 0; i < plan.points; ++i) vectors[i] = vector_at(plan, f, i);
     return vectors;
   };
   Field f = motion.x;
@@ -28,8 +28,7 @@ Loads compute_loads(const Plan& plan, const System& system, const State& state) 
   loads.external = unpacked(f);
   compute_forces(plan, state.time, motion.x, motion.v, f);
   loads.reaction = unpacked(f);
-  for (Index i = 0; i < system.point_count(); ++i)
-    loads.reaction[i] = plan.inverse_mass[plan.number_of(i)] == 0.0 ? -loads.reaction[i] : Vec3(0.0);
+  for (Index i = 0; i < system.point_count(); ++i) loads.reaction[i] = plan.inverse_mass[i] == 0.0 ? -loads.reaction[i] : Vec3(0.0);
   return loads;
 }
 

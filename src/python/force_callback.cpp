@@ -22,9 +22,8 @@ std::map<double, py::function>& functions() {
 py::array_t<double> packed_to_array(const Plan& plan, const double* field) {
   py::array_t<double> array({static_cast<py::ssize_t>(plan.points), py::ssize_t{3}});
   double* at = array.mutable_data();
-  for (Index listed = 0; listed < plan.points; ++listed)
-    for (int c = 0; c < 3; ++c)
-      *at++ = c < plan.dimensions ? field[static_cast<std::size_t>(c) * plan.points + plan.number_of(listed)] : 0.0;
+  for (Index i = 0; i < plan.points; ++i)
+    for (int c = 0; c < 3; ++c) *at++ = c < plan.dimensions ? field[static_cast<std::size_t>(c) * plan.points + i] : 0.0;
   return array;
 }
 
@@ -39,7 +38,7 @@ std::vector<Vec3> call(const Plan& plan, const ForceValues& values, double time,
 void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f) {
   const std::vector<Vec3> forces = call(plan, values, time, x, v);
   for (int c = 0; c < plan.dimensions; ++c)
-    for (Index i = 0; i < plan.points; ++i) f[static_cast<std::size_t>(c) * plan.points + i] += forces[plan.listed_index(i)][c];
+    for (Index i = 0; i < plan.points; ++i) f[static_cast<std::size_t>(c) * plan.points + i] += forces[i][c];
 }
 
 double power(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v) {
@@ -47,7 +46,7 @@ double power(const Plan& plan, const ForceValues& values, double time, const dou
   double sum = 0.0;
   for (int c = 0; c < plan.dimensions; ++c)
     for (Index i = 0; i < plan.points; ++i)
-      if (plan.inverse_mass[i] != 0.0) sum += forces[plan.listed_index(i)][c] * v[static_cast<std::size_t>(c) * plan.points + i];
+      if (plan.inverse_mass[i] != 0.0) sum += forces[i][c] * v[static_cast<std::size_t>(c) * plan.points + i];
   return sum;
 }
 
@@ -65,8 +64,6 @@ constinit const ForceTerm callback{
     .is_continuous = false,
     .add = add,
     .bound = bound,
-    .add_tangent = nullptr,
-    .potential = nullptr,
     .power = power,
 };
 

@@ -68,7 +68,7 @@ void find_spheres(const System& system, PlacedSurface& surface, CrossedParts& pa
 }
 
 void find_points(const System& system, const State& state, CrossedParts& parts) {
-  const Plan plan = make_plan(system, Numbering::AsListed);
+  const Plan plan = make_plan(system);
   Motion motion;
   pack(plan, state, motion);
   std::vector<double> extent;

@@ -33,7 +33,7 @@ struct Statics {
 };
 
 Statics make_statics(const System& system) {
-  Statics statics{make_plan(system, Numbering::AsListed), {}};
+  Statics statics{make_plan(system), {}};
   Plan& plan = statics.plan;
   std::swap(statics.damping, plan.spring.damping);
   LawSprings& laws = plan.spring.laws;

@@ -26,8 +26,8 @@ TEST(AccuracyMeter, GivesAReasonInsteadOfMeasuringWhatTakesThousandsOfTimesAsLon
     const Accuracy accuracy = lab.accuracy();
     EXPECT_EQ(accuracy.frame.reason, "with half the step, or a smaller tolerance, this frame fails or takes too long");
     EXPECT_FALSE(accuracy.accumulated.value);
-    EXPECT_EQ(accuracy.half_error_substeps, 0);
-    EXPECT_EQ(accuracy.half_error_reason, "contact and the strain limit hardly depend on the tolerance");
+    EXPECT_EQ(accuracy.half_error.substeps, 0);
+    EXPECT_EQ(accuracy.half_error.reason, "contact and the strain limit hardly depend on the tolerance");
   }
 }
 
@@ -52,7 +52,7 @@ TEST(AccuracyMeter, AStrainLimitIsPartOfTheErrorOfEveryMethod) {
       EXPECT_GT(*accuracy.accumulated.value, error / 3.0) << id << " " << substeps;
       EXPECT_LT(*accuracy.accumulated.value, 3.0 * error) << id << " " << substeps;
       if (lab.scene().settings.integrator->stability == Stability::Adaptive) {
-        EXPECT_EQ(accuracy.half_error_reason, "contact and the strain limit hardly depend on the tolerance");
+        EXPECT_EQ(accuracy.half_error.reason, "contact and the strain limit hardly depend on the tolerance");
       }
     }
 }

@@ -299,8 +299,8 @@ TEST(AccuracyMeter, HalfTheErrorCostsAsMuchAsReported) {
     const auto error_with = [&](int substeps, int& half) {
       Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator(id), .substeps = substeps}), AccuracyMode::Frame);
       for (int frame = 0; frame < 25; ++frame) lab.step();
-      half = lab.accuracy().half_error_substeps;
-      EXPECT_NEAR(lab.accuracy().half_error_cost, static_cast<double>(half) / substeps, 1e-12);
+      half = lab.accuracy().half_error.substeps;
+      EXPECT_NEAR(lab.accuracy().half_error.cost, static_cast<double>(half) / substeps, 1e-12);
       return *lab.accuracy().frame.value;
     };
     int half = 0, quarter = 0;
@@ -324,8 +324,8 @@ TEST(AccuracyMeter, WhereThingsTouchHalfTheErrorCostsMoreThanTheOrderSays) {
     for (int frame = 0; frame < 240; ++frame) {
       EXPECT_TRUE(lab.step());
       const Accuracy accuracy = lab.accuracy();
-      if (accuracy.half_error_substeps > 0) half = accuracy.half_error_substeps;
-      EXPECT_EQ(accuracy.half_error_substeps == 0, !accuracy.half_error_reason.empty());
+      if (accuracy.half_error.substeps > 0) half = accuracy.half_error.substeps;
+      EXPECT_EQ(accuracy.half_error.substeps == 0, !accuracy.half_error.reason.empty());
       if (!accuracy.frame.value || std::exchange(time, accuracy.frame_time) == accuracy.frame_time) continue;
       errors.push_back(*accuracy.frame.value);
     }

@@ -68,13 +68,13 @@ TEST(AccumulatedWarning, NamesNoToleranceBesideContactAndTheHand) {
   accuracy.motion = 0.5;
   accuracy.accumulated.value = 0.3;
   accuracy.is_smooth = false;
-  accuracy.half_error_reason = "not measured yet";
+  accuracy.half_error.reason = "not measured yet";
   EXPECT_EQ(accumulated_warning(accuracy, {}),
             "accumulated error of about 300 mm, 60 % of the motion: no setting with a smaller error is known, because of contact, a strain "
             "limit or the hand");
-  accuracy.half_error_substeps = 32;
-  accuracy.half_error_cost = 2.0;
-  accuracy.half_error_reason = {};
+  accuracy.half_error.substeps = 32;
+  accuracy.half_error.cost = 2.0;
+  accuracy.half_error.reason = {};
   EXPECT_EQ(accumulated_warning(accuracy, {}),
             "accumulated error of about 300 mm, 60 % of the motion: half the error: 32 substeps, 2.0x the time, which is not tested");
 
@@ -93,9 +93,9 @@ TEST(AccumulatedWarning, NamesTheLargestErrorOfARunThatEndsRight) {
   ASSERT_TRUE(lab.accuracy().accumulated.value);
   EXPECT_LT(*lab.accuracy().accumulated.value, 1e-3);
   Accuracy accuracy = lab.accuracy();
-  EXPECT_GT(accuracy.max_accumulated, 1e-3);
-  accuracy.max_accumulated = 0.1;
-  accuracy.max_accumulated_time = 0.25;
+  EXPECT_GT(accuracy.max_accumulated.error, 1e-3);
+  accuracy.max_accumulated.error = 0.1;
+  accuracy.max_accumulated.time = 0.25;
   EXPECT_EQ(accumulated_warning(accuracy, lab.scene().settings).value_or("").find("accumulated error of up to 100 mm at 0.25 s, "), 0u);
 }
 
@@ -111,8 +111,8 @@ TEST(AccumulatedWarning, IsGivenWhereTheSecondRunFailed) {
       "accumulated error not known from 0.65 s on: the run with half the step, or a smaller tolerance, failed or took too long; ";
   const std::string remedy = "no setting with a smaller error is known, because of contact, a strain limit or the hand";
   EXPECT_EQ(accumulated_warning(accuracy, {}), unknown + remedy);
-  accuracy.max_accumulated = 2.8;
-  accuracy.max_accumulated_time = 0.6;
+  accuracy.max_accumulated.error = 2.8;
+  accuracy.max_accumulated.time = 0.6;
   EXPECT_EQ(accumulated_warning(accuracy, {}), unknown + "error of up to 2.8 m at 0.6 s, 1.4 times the motion: " + remedy);
 }
 
@@ -130,7 +130,7 @@ TEST(AccumulatedWarning, LeavesChaoticMotionToItsPredictability) {
 
   // energy from nowhere is no average to rely on
   accuracy.energy.change = 0.02;
-  accuracy.energy_scale = 1.0;
+  accuracy.energy.scale = 1.0;
   EXPECT_TRUE(accumulated_warning(accuracy, {}).value_or("").ends_with(": only averages are meaningful"));
   accuracy.energy.change = 5.7;
   EXPECT_EQ(accumulated_warning(accuracy, {}),

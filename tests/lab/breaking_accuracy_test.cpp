@@ -52,7 +52,7 @@ TEST(BreakingAccuracy, TheTimeAtWhichASpringBreaksIsPartOfTheErrorOfEveryMethod)
 TEST(BreakingAccuracy, AToleranceDoesNotMakeSpringsBreakInTime) {
   Lab lab = measured_lab(stretched_at(12.0, {.integrator = find_integrator("dop853"), .substeps = 1, .tolerance = 1e-10}));
   for (int frame = 0; frame < 30; ++frame) ASSERT_TRUE(lab.step());
-  EXPECT_EQ(lab.accuracy().half_error_reason, "the time at which springs break does not depend on the tolerance");
+  EXPECT_EQ(lab.accuracy().half_error.reason, "the time at which springs break does not depend on the tolerance");
 }
 
 }  // namespace

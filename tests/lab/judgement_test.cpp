@@ -58,7 +58,7 @@ TEST(Judgement, OfAnAccurateRunIsGood) {
 // It does not get better where something else gets worse.
 TEST(Judgement, IsThatOfTheWorst) {
   Accuracy accuracy{.is_on = true, .size = 1.0, .frame = {.value = 1e-6}, .motion = 1.0};
-  accuracy.energy_scale = 1.0;
+  accuracy.energy.scale = 1.0;
   EXPECT_EQ(judge(accuracy).level, Level::Good);
   accuracy.frame.value = 2e-3;
   EXPECT_EQ(judge(accuracy).level, Level::Doubtful);
@@ -145,7 +145,7 @@ TEST(Divergence, LeavesNoErrorOfTheFailedRunBehind) {
   lab.measure_accuracy([] { return true; });
   const Accuracy accuracy = lab.accuracy();
   EXPECT_LT(accuracy.accumulated.value.value_or(0.0), 1e4 * accuracy.size);
-  EXPECT_LT(accuracy.max_accumulated, 1e4 * accuracy.size);
+  EXPECT_LT(accuracy.max_accumulated.error, 1e4 * accuracy.size);
 }
 
 }  // namespace

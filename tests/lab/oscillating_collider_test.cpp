@@ -84,7 +84,7 @@ TEST(OscillatingCollider, NoErrorIsClaimedWhereTheStepsDoNotResolveIt) {
       EXPECT_FALSE(accuracy.frame.value);
       for (const Measured& each : {accuracy.accumulated, accuracy.frame})
         EXPECT_EQ(each.reason, "a collider oscillates faster than the steps resolve");
-      EXPECT_EQ(accuracy.half_error_reason, "a collider oscillates faster than the steps resolve");
+      EXPECT_EQ(accuracy.half_error.reason, "a collider oscillates faster than the steps resolve");
       EXPECT_EQ(accuracy.loss, Loss::Unresolved);
     }
   // a large distance from half the step, four times smaller than the error

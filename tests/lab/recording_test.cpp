@@ -356,7 +356,7 @@ TEST(RecordedAccuracy, IsThatOfTheSessionBitForBitWhenItIsReplayed) {
       ASSERT_EQ((replayed.*measured).reason, (recorded.*measured).reason);
     }
     ASSERT_EQ(replayed.energy, recorded.energy);
-    ASSERT_EQ(replayed.half_error_substeps, recorded.half_error_substeps);
+    ASSERT_EQ(replayed.half_error.substeps, recorded.half_error.substeps);
     known += recorded.frame.value && recorded.accumulated.value ? 1 : 0;
   }
   EXPECT_GT(known, 25);

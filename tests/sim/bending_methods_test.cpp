@@ -45,7 +45,7 @@ TEST_P(BendingMethods, AreStableWithinTheirLimit) {
     const double limit = largest_stable_step(method(), bound_spectrum(sim.system));
     if (limit == 0.0) continue;  // amplifies undamped motion at any step, and the springs are undamped
     const int substeps = std::isfinite(limit) ? static_cast<int>(std::ceil(2.0 / 60.0 / limit)) : 1;
-    EXPECT_GT(substeps, method().implicit_force_terms || method().stability == Stability::Adaptive ? 0 : 10);
+    EXPECT_GT(substeps, method().is_implicit() || method().stability == Stability::Adaptive ? 0 : 10);
     for (int frame = 0; frame < 30; ++frame) {
       sim.run(method(), 1.0 / 60.0, substeps, 1e-4);
       ASSERT_FALSE(find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state))) << frame << ", " << damping_time;

@@ -36,7 +36,7 @@ TEST_P(Campaign, NoRunFailsSilently) {
     if (is_reported || !std::isfinite(plausible_reach(sim.system, plan.spectrum, 1.0, 1.0, 1.0))) continue;
     for (const Vec3& x : sim.state.position) ASSERT_LT(glm::length(x), far) << "scene " << seed;
   }
-  if (method().implicit_force_terms) {
+  if (method().is_implicit()) {
     EXPECT_LT(reported, static_cast<int>(scenes) / 50);
   }
 }

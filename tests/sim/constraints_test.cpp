@@ -169,7 +169,7 @@ TEST(Constraints, OfARunShareNoPoint) {
     for (const SweepRun& run : constraints.runs()) {
       std::set<Index> ends;
       for (Index n = 0; n < run.count; ++n) {
-        const auto [packed, first, second] = constraints.spring(run, n);
+        const Index packed = run.begin + n * run.step, first = run.first + n * run.step, second = run.second + n * run.step;
         EXPECT_TRUE(visited.insert(packed).second);
         EXPECT_TRUE(places.insert(run.place(n)).second);
         EXPECT_TRUE(ends.insert(first).second);

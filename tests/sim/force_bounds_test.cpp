@@ -120,7 +120,7 @@ TEST_P(Overdamped, APointIsEitherStableOrReportedWithAWarning) {
     sim.run(method(), 1.0 / 60.0, 5, 1e-8);
     is_reported = find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state)).has_value();
   }
-  const bool must_be_stable = method().implicit_force_terms || method().stability == Stability::Adaptive;
+  const bool must_be_stable = method().is_implicit() || method().stability == Stability::Adaptive;
   const bool is_stable = 1.0 / 300.0 <= largest_stable_step(method(), bound_spectrum(sim.system));
   if (must_be_stable) {
     EXPECT_TRUE(is_stable);
@@ -132,7 +132,7 @@ TEST_P(Overdamped, APointIsEitherStableOrReportedWithAWarning) {
 }
 
 TEST_P(Overdamped, ANetIsStableUnderImplicitMethods) {
-  if (!method().implicit_force_terms) return;
+  if (!method().is_implicit()) return;
   for (const double scale : {1.0, 1e4}) {
     // only these methods damp modes that are far too fast for the step
     if (scale > 1.0 && method().stability != Stability::LStable) continue;

@@ -177,7 +177,7 @@ TEST(RestAngle, ImplicitMethodsTakeTheExactDerivatives) {
       for (Index k = plan.force_data.hinges.begin[j]; k < plan.force_data.hinges.begin[j + 1]; ++k) {
         const auto i = static_cast<std::size_t>(plan.force_data.hinges.column[static_cast<std::size_t>(k)]);
         if (i < j) continue;
-        const glm::dmat3 block = tangent.hinge_block(k, 1.0, true);
+        const glm::dmat3 block = tangent.hinges.block(k, 1.0, true);
         for (std::size_t r = 0; r < 3; ++r) {
           const double difference = -(above[r * n + i] - below[r * n + i]) / (2.0 * step);
           largest = std::max(largest, std::abs(difference));

@@ -5,11 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
-#include "base/threads/thread_team.h"
 #include "sim/forces/dashpots/dashpot.h"
-#include "sim/forces/dashpots/dashpot_sweeps.h"
 #include "support/nets.h"
 #include "support/random_scene.h"
 
@@ -26,7 +23,7 @@ struct Swept {
   }
   Field velocities_after(SweepDirection sweep) const {
     Field v = motion.v;
-    decay_dashpots(plan, plan.spring.runs, decay, sweep, motion.x, v);
+    decay_dashpots(plan, decay, sweep, motion.x, v);
     return v;
   }
 };
@@ -117,47 +114,6 @@ TEST(DashpotSweep, EqualsAPlainLoopBitForBitOnEveryVectorTarget) {
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().DeInit();
-}
-
-// From the springs across the middle to both sides: the first half in reverse.
-std::vector<SweptSpring> from_middle(const Plan& plan, Index middle) {
-  const std::vector<SweptSpring> all = swept_springs(plan);
-  std::vector<SweptSpring> result;
-  std::ranges::copy_if(all, std::back_inserter(result), [&](const SweptSpring& s) { return s.first < middle && s.second >= middle; });
-  std::copy_if(all.rbegin(), all.rend(), std::back_inserter(result), [&](const SweptSpring& s) { return s.second < middle; });
-  std::ranges::copy_if(all, std::back_inserter(result), [&](const SweptSpring& s) { return s.first >= middle; });
-  return result;
-}
-
-TEST(DashpotSweep, OfALargeNetGoesFromTheMiddleToBothSidesToTheSameBitsOnAnyThreads) {
-  constexpr int n = 97;
-  TestSim sim = net(n, 100.0, 0.5);
-  Random random(3);
-  for (Vec3& velocity : sim.state.velocity) velocity = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
-  Swept swept(sim, duration);
-  for (const int threads : {1, 2, 3}) {
-    swept.plan.execution.team = threads > 1 ? std::make_shared<ThreadTeam>(threads, WhenLate::Wait) : nullptr;
-    DashpotSweeps sweeps;
-    sweeps.prepare(swept.plan, duration);
-    for (const SweepDirection sweep : {SweepDirection::Forward, SweepDirection::Backward}) {
-      Field v = swept.motion.v;
-      sweeps.sweep(swept.plan, sweep, 0.0, swept.motion.x, v);
-      EXPECT_EQ(v, plain_velocities_after(swept, sweep, from_middle(swept.plan, n / 2 * n))) << threads << " threads";
-      EXPECT_NE(v, plain_velocities_after(swept, sweep)) << "one half after the other";
-    }
-  }
-}
-
-// As many springs lead from one half to the other as within both: they are swept in their order.
-TEST(DashpotSweep, OfALargeGraphWithoutHalvesIsThatOfASmallOne) {
-  const TestSim sim = random_sim(7, 400, 17500, 3, 20.0);
-  const Swept swept(sim, duration);
-  ASSERT_GT(swept.plan.springs, 16000);
-  DashpotSweeps sweeps;
-  sweeps.prepare(swept.plan, duration);
-  Field v = swept.motion.v;
-  sweeps.sweep(swept.plan, SweepDirection::Forward, 0.0, swept.motion.x, v);
-  EXPECT_EQ(v, plain_velocities_after(swept, SweepDirection::Forward));
 }
 
 // over a negative duration; round-off grows by the factor of the damping

@@ -45,7 +45,7 @@ Outcome outcome_of(TestNetwork network, const Settings& settings) {
 std::vector<const Integrator*> implicit_methods() {
   std::vector<const Integrator*> methods;
   for (const Integrator& method : integrators())
-    if (method.implicit_force_terms) methods.push_back(&method);
+    if (method.is_implicit()) methods.push_back(&method);
   return methods;
 }
 

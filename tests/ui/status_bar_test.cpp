@@ -74,7 +74,7 @@ TEST(StatusBar, TheLineAndThePanelHaveTheSameColorAndWords) {
   Accuracy bad = measured(1.4e-5, {}, INFINITY);
   bad.loss = Loss::Dissipated;
   bad.energy.change = -0.448;
-  bad.energy_scale = 0.45;
+  bad.energy.scale = 0.45;
   text_of(gui, bad, "status");
   EXPECT_TRUE(has_text_in("status", palette::bad, "motiondissipatedbythemethod:100%oftheenergy"));
   EXPECT_TRUE(has_text_in("side", palette::bad, "motiondissipated"));

@@ -19,7 +19,7 @@ std::optional<Arrows> ForceArrows::at(const Snapshot& snapshot, double longest) 
   const System& system = *snapshot.system;
   if (system.point_count() == 0 || system.point_count() > max_arrow_points) return std::nullopt;
   if (system_ != snapshot.system) {
-    plan_ = make_plan(system, Numbering::AsListed);
+    plan_ = make_plan(system);
     system_ = snapshot.system;
   }
   const auto n = static_cast<std::size_t>(system.point_count());

@@ -203,8 +203,8 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
       accuracy.accumulated.value = error->rms;
     if (error) accuracy.accumulated_time = error->time;
     if (const auto& max = second_runs_.max_error(); max && !past_.is_aliased) {
-      accuracy.max_accumulated = max->rms;
-      accuracy.max_accumulated_time = max->time;
+      accuracy.max_accumulated.error = max->rms;
+      accuracy.max_accumulated.time = max->time;
     }
     if (!growth) accuracy.amplification.reason = "measured after a second without edits";
   }
@@ -226,7 +226,7 @@ Accuracy AccuracyMeter::accuracy(const Settings& settings) const {
   Accuracy accuracy{.is_on = mode_ != AccuracyMode::Off, .size = size_};
   if (is_started_) {
     accuracy.energy = energy_.balance();
-    accuracy.energy_scale = past_.supplied;
+    accuracy.energy.scale = past_.supplied;
   }
   if (!accuracy.is_on) {
     for (Measured* each : {&accuracy.frame, &accuracy.frame_max, &accuracy.accumulated, &accuracy.amplification, &accuracy.growth_rate,
@@ -241,35 +241,35 @@ Accuracy AccuracyMeter::accuracy(const Settings& settings) const {
 }
 
 void AccuracyMeter::measure_half_error(const Settings& settings, Accuracy& accuracy) const {
-  accuracy.half_error_reason = "no frame yet";
+  accuracy.half_error.reason = "no frame yet";
   if (!is_started_) return;
   // springs break at the ends of substeps, whatever the method
   double order = past_.has_broken ? 1 : order_;
   const bool adapts = settings.integrator->stability == Stability::Adaptive;
   if (ignores_tolerance_ || (past_.has_broken && adapts && !is_automatic(settings))) {
-    accuracy.half_error_reason = ignores_tolerance_ ? "contact and the strain limit hardly depend on the tolerance"
+    accuracy.half_error.reason = ignores_tolerance_ ? "contact and the strain limit hardly depend on the tolerance"
                                                     : "the time at which springs break does not depend on the tolerance";
     return;
   }
   if (past_.is_unresolved || past_.is_aliased) {
-    accuracy.half_error_reason = past_.is_unresolved ? passes_through_zero : oscillates_too_fast;
+    accuracy.half_error.reason = past_.is_unresolved ? passes_through_zero : oscillates_too_fast;
     return;
   }
   if (touches_) {
-    accuracy.half_error_reason = "not measured yet";
+    accuracy.half_error.reason = "not measured yet";
     if (!refinement_) return;
-    accuracy.half_error_reason = half_step_does_not_help;
+    accuracy.half_error.reason = half_step_does_not_help;
     if (!(refinement_->by_half >= std::exp2(min_order) * refinement_->by_quarter)) return;
     if (refinement_->by_quarter > 0.0) order = std::min(order, std::log2(refinement_->by_half / refinement_->by_quarter));
   }
-  accuracy.half_error_reason = {};
+  accuracy.half_error.reason = {};
   // the error of order p falls by 2^p when the step is halved
   const double factor = std::exp2(1.0 / order);
-  accuracy.half_error_substeps = static_cast<int>(std::ceil(factor * settings.substeps));
-  accuracy.half_error_cost = static_cast<double>(accuracy.half_error_substeps) / settings.substeps;
+  accuracy.half_error.substeps = static_cast<int>(std::ceil(factor * settings.substeps));
+  accuracy.half_error.cost = static_cast<double>(accuracy.half_error.substeps) / settings.substeps;
   if (settings.integrator->stability != Stability::Adaptive) return;
-  accuracy.half_error_tolerance = 0.5 * settings.tolerance.value_or(default_tolerance);
-  accuracy.half_error_cost = factor;
+  accuracy.half_error.tolerance = 0.5 * settings.tolerance.value_or(default_tolerance);
+  accuracy.half_error.cost = factor;
 }
 
 }  // namespace hooke

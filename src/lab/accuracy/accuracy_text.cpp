@@ -20,22 +20,22 @@ constexpr double max_delay = 0.5;
 constexpr double max_hidden_age = 0.2;
 
 std::string largest_error_text(const Accuracy& accuracy) {
-  return "error of up to " + length_text(accuracy.max_accumulated) + " at " + quantity_text(accuracy.max_accumulated_time, "s") + ", " +
-         part_of_motion_text(accuracy.max_accumulated / accuracy.motion);
+  return "error of up to " + length_text(accuracy.max_accumulated.error) + " at " + quantity_text(accuracy.max_accumulated.time, "s") +
+         ", " + part_of_motion_text(accuracy.max_accumulated.error / accuracy.motion);
 }
 
 // What can be said where the positions cannot be predicted.
 std::string meaning_of_averages(const Accuracy& accuracy) {
   if (!has_wrong_energy(accuracy)) return "only averages are meaningful";
   return "not even averages are meaningful, because the method has " + std::string(accuracy.energy.method() < 0.0 ? "lost " : "gained ") +
-         number_text(100.0 * std::abs(accuracy.energy.method()) / accuracy.energy_scale, 2) + " % of the energy supplied";
+         number_text(100.0 * std::abs(accuracy.energy.method()) / accuracy.energy.scale, 2) + " % of the energy supplied";
 }
 
 // A tolerance with which the error would be about a hundredth of the motion: one digit, within the range of the slider. None helps much
 // where small differences grow, or where the error hardly falls with the step; with contact or a hand, what half the error takes.
 std::string remedy_of(const Accuracy& accuracy, const Settings& settings) {
   if (accuracy.growth_rate.value.value_or(0.0) > 0.0) return "small differences grow, so that " + meaning_of_averages(accuracy);
-  if (accuracy.half_error_reason == half_step_does_not_help)
+  if (accuracy.half_error.reason == half_step_does_not_help)
     return std::string(half_step_does_not_help) + ", so that " + meaning_of_averages(accuracy);
   if (!accuracy.is_smooth) {
     const std::string cost = cost_text(accuracy);
@@ -78,14 +78,14 @@ std::string predictability_text(const Accuracy& accuracy) {
 }
 
 std::string cost_text(const Accuracy& accuracy) {
-  if (!accuracy.is_on || accuracy.half_error_substeps == 0) return {};
+  if (!accuracy.is_on || accuracy.half_error.substeps == 0) return {};
   std::array<char, 16> factor{};
-  std::snprintf(factor.data(), factor.size(), "%.1f", accuracy.half_error_cost);
+  std::snprintf(factor.data(), factor.size(), "%.1f", accuracy.half_error.cost);
   const std::string time = std::string(factor.data()) + "x the time, which is not tested";
-  if (accuracy.half_error_tolerance > 0.0) {
-    return "half the error: tolerance " + quantity_text(accuracy.half_error_tolerance, "m", 1) + ", " + time;
+  if (accuracy.half_error.tolerance > 0.0) {
+    return "half the error: tolerance " + quantity_text(accuracy.half_error.tolerance, "m", 1) + ", " + time;
   }
-  return "half the error: " + std::to_string(accuracy.half_error_substeps) + " substeps, " + time;
+  return "half the error: " + std::to_string(accuracy.half_error.substeps) + " substeps, " + time;
 }
 
 std::string accuracy_line(const Accuracy& accuracy) { return accuracy_lines(accuracy).front(); }
@@ -134,7 +134,7 @@ std::optional<std::string> accumulated_warning(const Accuracy& accuracy, const S
     case Loss::NoSecondRun:
       return "accumulated error not known from " + quantity_text(accuracy.accumulated_time, "s") +
              " on: " + std::string(accuracy.accumulated.reason) + "; " +
-             (is_large_error(accuracy, accuracy.max_accumulated) ? largest_error_text(accuracy) + ": " : std::string()) +
+             (is_large_error(accuracy, accuracy.max_accumulated.error) ? largest_error_text(accuracy) + ": " : std::string()) +
              remedy_of(accuracy, settings);
   }
   if (!accuracy.accumulated.value) return std::nullopt;
@@ -142,7 +142,7 @@ std::optional<std::string> accumulated_warning(const Accuracy& accuracy, const S
   if (is_large_error(accuracy, error))
     return "accumulated error of about " + length_text(error) + ", " + part_of_motion_text(error / accuracy.motion) + ": " +
            remedy_of(accuracy, settings);
-  if (!is_large_error(accuracy, accuracy.max_accumulated)) return std::nullopt;
+  if (!is_large_error(accuracy, accuracy.max_accumulated.error)) return std::nullopt;
   return "accumulated " + largest_error_text(accuracy) + " (" + length_text(error) + " at " +
          quantity_text(accuracy.accumulated_time, "s") + "): " + remedy_of(accuracy, settings);
 }

@@ -23,7 +23,7 @@ constexpr double min_error = 1e-6;
 std::string percent(double part) { return number_text(100.0 * part, 2) + " %"; }
 
 double energy_part(const Accuracy& accuracy) {
-  return accuracy.energy_scale > 0.0 ? std::abs(accuracy.energy.method()) / accuracy.energy_scale : 0.0;
+  return accuracy.energy.scale > 0.0 ? std::abs(accuracy.energy.method()) / accuracy.energy.scale : 0.0;
 }
 
 // What is judged, relative to its limits: the worst decides.

@@ -49,8 +49,7 @@ double CostModel::evaluation(const Integrator& method) const {
 }
 
 double CostModel::of(const Integrator& method, const Motion& motion, int substeps) const {
-  const bool is_implicit = method.implicit_solve != ImplicitSolve::None;
-  const double evaluations = is_implicit ? 0.0 : evaluation(method) * static_cast<double>(motion.counts.force_evaluations);
+  const double evaluations = method.is_implicit() ? 0.0 : evaluation(method) * static_cast<double>(motion.counts.force_evaluations);
   const double contact = contact_test * static_cast<double>(motion.counts.contact_tests) +
                          contact_impulse * static_cast<double>(motion.counts.contact_impulses);
   return ms_per_ns *

@@ -8,6 +8,8 @@
 
 #include "sim/control/constants.h"
 #include "sim/control/frame_error.h"
+#include "sim/forces/spring_laws.h"
+#include "sim/forces/spring_limits.h"
 #include "sim/step/divergence.h"
 
 namespace hooke {
@@ -75,7 +77,7 @@ bool is_calm(const Plan& plan, const State& state, double duration) {
   if (has_events) return false;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      const Index first = plan.listed_index(run.first + e), second = plan.listed_index(run.second + e);
+      const Index first = run.first + e, second = run.second + e;
       const double length = glm::distance(state.position[first], state.position[second]);
       const double speed = glm::distance(state.velocity[first], state.velocity[second]);
       if (!(speed * duration <= control::max_turn * length)) return false;
@@ -83,20 +85,18 @@ bool is_calm(const Plan& plan, const State& state, double duration) {
   return true;
 }
 
-// m v^2 + k (l - l0)^2 >= k (L - l0)^2 / 4, m the reduced mass of both ends
+// m v^2 / 2 + U(l) >= U((l0 + L) / 2), m the reduced mass of both ends, U of a linear spring k (l - l0)^2 / 2
 bool may_break(const Plan& plan, const State& state) {
   if (plan.spring.break_length.empty()) return false;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      const Index s = run.begin + e, first = run.first + e, second = run.second + e;
-      const double w = plan.inverse_mass[first] + plan.inverse_mass[second];
-      if (!std::isfinite(plan.spring.break_length[s]) || w == 0.0) continue;
-      const Index i = plan.listed_index(first), j = plan.listed_index(second);
+      const Index s = run.begin + e, i = run.first + e, j = run.second + e;
+      const double limit = plan.spring.break_length[s], w = plan.inverse_mass[i] + plan.inverse_mass[j];
+      if (!std::isfinite(limit) || w == 0.0 || !carries_force(plan, s)) continue;
+      const auto energy_at = [&](double length) { return response_of(plan, s, state.time, length).of.energy; };
       const Vec3 relative = state.velocity[i] - state.velocity[j];
-      const double stretch = glm::distance(state.position[i], state.position[j]) - plan.spring.rest_length[s];
-      const double half = 0.5 * (plan.spring.break_length[s] - plan.spring.rest_length[s]);
-      if (glm::dot(relative, relative) / w + plan.spring.stiffness[s] * stretch * stretch >= plan.spring.stiffness[s] * half * half)
-        return true;
+      const double supplied = 0.5 * glm::dot(relative, relative) / w + energy_at(glm::distance(state.position[i], state.position[j]));
+      if (supplied >= energy_at(0.5 * (plan.spring.rest_length[s] + limit))) return true;
     }
   return false;
 }

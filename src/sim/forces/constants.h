@@ -10,9 +10,6 @@ inline constexpr double default_tolerance = 1e-8;
 
 // [m^2], of the ends of a dashpot: shorter springs have no well-defined direction, and the factor of the impulse may overflow.
 inline constexpr double min_dashpot_length_squared = 1e-280;
-// [springs], from which a net is swept in two halves, on two threads if there are any, and [springs] for each spring from one half to the
-// other: with more of them, the halves would wait for the rest.
-inline constexpr Index min_springs_of_halves = 16'000, min_springs_per_crossing = 20;
 
 // The strain limit: rounds over all springs (X. Provot 1995 uses a few), the part of its limit by which a spring may be too long at their
 // end [1], and the ratio to it up to which shortening conserves angular momentum [1]: a spring that is longer was not shortened before, and
@@ -37,10 +34,6 @@ inline constexpr double estimated_volume_ratio = 2.0 / 3.0;
 // Sticky planes. [m], within which a point counts as touching, and [m/s], the speed away from the plane at which it is not at rest on it,
 // and of the velocities [1]: contact places resting points on the surface to round-off. [m], [m/s], round-off itself.
 inline constexpr double sticky_distance = 1e-9, sticky_speed = 1e-9, sticky_round_off = 1e-13;
-// Releases within a substep at which its step is repeated; further ones are at the end of a step. The iterations for a time, its
-// resolution, and the part of a step that is no step [1].
-inline constexpr int max_releases = 16, max_release_iterations = 60;
-inline constexpr double release_resolution = 1e-10, negligible_part = 1e-6;
 
 // [1], the perimeter of an isosceles right triangle, relative to its short sides: faces of the estimate of the stiffness of wind.
 inline constexpr double perimeter_of_face = 3.4;

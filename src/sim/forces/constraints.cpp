@@ -15,8 +15,7 @@
 namespace hooke {
 struct ConstraintArguments {
   const Plan& plan;
-  std::span<const SweepRun> runs;
-  SpringEnds listed;
+  const std::vector<SweepRun>& runs;
   const double *rest_length, *stiffness, *damping;
   double h;
   const double* x;
@@ -80,7 +79,7 @@ void project_runs(const ConstraintArguments& all) {
   for (const SweepRun& each : all.runs) {
     const SweepRun run = each;
     const ConstraintRun<Dimensions> lists(all, run.first);
-    for_springs(run, all.listed, [lists](const auto& springs) HWY_ATTR { project_independent<Dimensions, Damped>(lists, springs); });
+    for_springs(run, [lists](const auto& springs) HWY_ATTR { project_independent<Dimensions, Damped>(lists, springs); });
   }
 }
 
@@ -100,8 +99,6 @@ HWY_AFTER_NAMESPACE();
 #include <bit>
 #include <cstdint>
 #include <tuple>
-
-#include "sim/forces/bands.h"
 
 namespace hooke {
 
@@ -168,67 +165,51 @@ void color(const Plan& plan, std::vector<ColoredSpring>& springs) {
     spring->color = static_cast<Index>(assign_color(used_colors[spring->first], used_colors[spring->second]));
 }
 
-bool follows(const SweepRun& run, const ColoredSpring& spring, Index step) {
-  const Index distance = run.count * step;
+bool follows(const SweepRun& run, const ColoredSpring& spring) {
+  const Index distance = run.count * run.step;
   return spring.first == run.first + distance && spring.second == run.second + distance && spring.packed == run.begin + distance;
 }
 
-// Of springs of the same color, those with consecutive ends, and every other spring of a row, form runs. Those of runs so short that most
-// lanes of a vector would be empty are listed: a run of all of them comes last.
-void add_range(std::span<const ColoredSpring> springs, std::vector<SweepRun>& runs, std::vector<ColoredSpring>& listed) {
-  constexpr Index min_run = 4;
-  const std::size_t listed_before = listed.size();
-  for (std::size_t at = 0; at < springs.size();) {
-    const ColoredSpring& first = springs[at];
-    SweepRun run{.begin = first.packed, .first = first.first, .second = first.second, .count = 1, .step = first.offset() == 1 ? 2 : 1};
-    while (at + run.count < springs.size() && follows(run, springs[at + run.count], run.step)) ++run.count;
-    if (run.count >= min_run)
-      runs.push_back(run);
-    else
-      listed.insert(listed.end(), springs.begin() + at, springs.begin() + at + run.count);
-    at += run.count;
+// Sets where the numbers of the runs begin; returns the size of lists.
+std::size_t place_runs(std::vector<SweepRun>& runs) {
+  constexpr std::size_t lanes = Grid::lanes;
+  std::size_t size = 0;
+  for (SweepRun& run : runs) {
+    // whole vectors, from cache lines on
+    const std::size_t unit = run.count == 1 ? 1 : lanes * (run.step == 2 ? 2 : 1);
+    if (unit > 1) size = (size + lanes - 1) / lanes * lanes;
+    run.at = size;
+    size += (run.place(run.count - 1) - run.at) / unit * unit + unit;
   }
-  if (const Index count = static_cast<Index>(listed.size() - listed_before); count > 0) runs.push_back({.count = count, .step = 0});
+  return size;
 }
 
 }  // namespace
 
 // A spring of a block of points connects one of them with one of the same block or the next. In the order of the block plus the color, the
 // colors follow each other through the cache, and each point has its springs in the order of the colors: one of a lower color that shares a
-// point with another one is in the next block at most.
+// point with another one is in the next block at most. Of springs of the same color, those with consecutive ends, and every other spring of
+// a row, form runs.
 Constraints::Constraints(const Plan& plan) : Structure(plan) {
   std::vector<ColoredSpring> springs = springs_of(plan);
   color(plan, springs);
   Index points_of_block = 128;
-  for (const ColoredSpring& spring : springs) {
-    points_of_block = std::max(points_of_block, spring.offset());
-    colors_ = std::max(colors_, spring.color + 1);
-  }
-  blocks_ = plan.points / points_of_block + 1;
+  for (const ColoredSpring& spring : springs) points_of_block = std::max(points_of_block, spring.offset());
   for (ColoredSpring& spring : springs) spring.block = spring.first / points_of_block;
   const auto key = [](const ColoredSpring& s) { return std::tuple(s.block + s.color, s.color, s.offset(), s.first, s.packed); };
   std::sort(springs.begin(), springs.end(), [&](const ColoredSpring& a, const ColoredSpring& b) { return key(a) < key(b); });
 
-  ranges_.resize(static_cast<std::size_t>(blocks_) * colors_);
-  std::vector<ColoredSpring> listed;
-  for (std::size_t begin = 0, end = 0; begin < springs.size(); begin = end) {
-    const ColoredSpring& first = springs[begin];
-    while (end < springs.size() && springs[end].block == first.block && springs[end].color == first.color) ++end;
-    Range& range = ranges_[static_cast<std::size_t>(first.block) * colors_ + first.color];
-    range.begin = runs_.size();
-    add_range(std::span(springs).subspan(begin, end - begin), runs_, listed);
-    range.end = runs_.size();
+  const ColoredSpring* last = nullptr;
+  for (const ColoredSpring& spring : springs) {
+    const bool continues = last != nullptr && spring.color == last->color && spring.block == last->block && follows(runs_.back(), spring);
+    if (continues)
+      ++runs_.back().count;
+    else
+      runs_.push_back(
+          {.begin = spring.packed, .first = spring.first, .second = spring.second, .count = 1, .step = spring.offset() == 1 ? 2 : 1});
+    last = &spring;
   }
   list_size_ = place_runs(runs_);
-  if (listed.empty()) return;
-  for (std::vector<Index>* list : {&listed_, &listed_first_, &listed_second_}) list->assign(list_size_, no_index);
-  const ColoredSpring* next = listed.data();
-  for (const SweepRun& run : runs_)
-    for (Index n = 0; run.step == 0 && n < run.count; ++n, ++next) {
-      listed_[run.place(n)] = next->packed;
-      listed_first_[run.place(n)] = next->first;
-      listed_second_[run.place(n)] = next->second;
-    }
 }
 
 void Constraints::prepare(const Plan& plan, double h, double phi) {
@@ -236,7 +217,7 @@ void Constraints::prepare(const Plan& plan, double h, double phi) {
   damping_.assign(plan.has_dashpots() ? list_size_ : 0, 0.0);
   for (const SweepRun& run : runs_)
     for (Index n = 0; n < run.count; ++n) {
-      const auto [packed, first, second] = spring(run, n);
+      const Index packed = run.begin + n * run.step, first = run.first + n * run.step, second = run.second + n * run.step;
       const double k = plan.spring.stiffness[packed], d = plan.has_dashpots() ? plan.spring.damping[packed] : 0.0;
       const double factor = phi / (1.0 + phi * (h * k + d) * (plan.inverse_mass[first] + plan.inverse_mass[second]));
       const std::size_t place = run.place(n);
@@ -247,47 +228,15 @@ void Constraints::prepare(const Plan& plan, double h, double phi) {
 }
 
 void Constraints::sweep(const Plan& plan, double h, const Field& x, Field& v) const {
-  const auto project = [&](std::size_t begin, std::size_t end) {
-    const ConstraintArguments arguments{.plan = plan,
-                                        .runs = std::span(runs_).subspan(begin, end - begin),
-                                        .listed = {listed_first_.data(), listed_second_.data()},
-                                        .rest_length = rest_length_.data(),
-                                        .stiffness = stiffness_.data(),
-                                        .damping = damping_.empty() ? nullptr : damping_.data(),
-                                        .h = h,
-                                        .x = x.data(),
-                                        .v = v.data()};
-    HWY_DYNAMIC_DISPATCH(project_all)(arguments);
-  };
-  // the springs of a color in a block follow those of lower colors in the same block and the two beside it
-  const auto project_cells = [&](Index first, Index end, const auto& is_included) {
-    for (Index sum = first; sum < end + colors_ - 1; ++sum)
-      for (Index c = std::max(Index{0}, sum - end + 1); c < std::min(colors_, sum - first + 1); ++c) {
-        const Index block = sum - c;
-        if (!is_included(block, c)) continue;
-        const Range& range = ranges_[static_cast<std::size_t>(block) * colors_ + c];
-        if (range.begin != range.end) project(range.begin, range.end);
-      }
-  };
-  constexpr Index min_springs = 4000;  // some microseconds
-  const ThreadTeam::Turn turn(plan.execution.team.get());
-  const Index max_parts_of_blocks = std::max(Index{1}, blocks_ / std::max(Index{1}, 2 * colors_));
-  const int parts = std::min(count_parts(plan, turn, plan.springs, min_springs), static_cast<int>(max_parts_of_blocks));
-  if (parts == 1) return project(0, runs_.size());
-
-  // First what depends on nothing outside of the part: a color less with each block towards the parts beside it. Then the rest around each
-  // boundary, which is less than a part wide.
-  const auto start = [&](int part) { return start_of_part(part, parts, blocks_); };
-  turn.run(parts, [&](int part) {
-    const Index first = start(part), end = start(part + 1);
-    const bool is_first = part == 0, is_last = part + 1 == parts;
-    project_cells(first, end, [=](Index block, Index c) { return (is_first || c <= block - first) && (is_last || c < end - block); });
-  });
-  turn.run(parts - 1, [&](int part) {
-    const Index boundary = start(part + 1);
-    project_cells(boundary - colors_, boundary + colors_,
-                  [=](Index block, Index c) { return block < boundary ? c >= boundary - block : c > block - boundary; });
-  });
+  HWY_DYNAMIC_DISPATCH(project_all)
+  ({.plan = plan,
+    .runs = runs_,
+    .rest_length = rest_length_.data(),
+    .stiffness = stiffness_.data(),
+    .damping = damping_.empty() ? nullptr : damping_.data(),
+    .h = h,
+    .x = x.data(),
+    .v = v.data()});
 }
 
 }  // namespace hooke

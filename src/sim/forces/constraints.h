@@ -1,7 +1,6 @@
 // Springs as compliant constraints, each projected alone, one after another (integrators/xpbd.cpp). The same bits on every machine.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "sim/forces/motion.h"
@@ -20,29 +19,15 @@ class Constraints final : public Structure {
   void prepare(const Plan& plan, double h, double phi);
 
   // v_i += w_i J u,  v_j -= w_j J u for every spring: J = -(phi k (l - l0) + phi d (v_i - v_j).u) / (1 + phi (h k + d)(w_i + w_j)) with
-  // l and u at x + h v. Nothing where the ends coincide there. On the threads of the plan, to the same bits.
+  // l and u at x + h v. Nothing where the ends coincide there.
   void sweep(const Plan& plan, double h, const Field& x, Field& v) const;
 
   // In an order that has the same result as color by color.
-  std::span<const SweepRun> runs() const { return runs_; }
-  struct Ends {
-    Index packed, first, second;
-  };
-  Ends spring(const SweepRun& run, Index n) const {
-    const std::size_t at = run.place(n);
-    if (run.step == 0) return {listed_[at], listed_first_[at], listed_second_[at]};
-    return {run.begin + n * run.step, run.first + n * run.step, run.second + n * run.step};
-  }
+  const std::vector<SweepRun>& runs() const { return runs_; }
 
  private:
-  struct Range {
-    std::size_t begin = 0, end = 0;
-  };
   std::vector<SweepRun> runs_;
-  Index blocks_ = 0, colors_ = 0;
-  std::vector<Range> ranges_;  // of runs, for each color of each block
   std::size_t list_size_ = 0;
-  std::vector<Index> listed_, listed_first_, listed_second_;  // packed springs that are listed, and their points; empty: none is
   std::vector<double> rest_length_;
   std::vector<double> stiffness_, damping_;  // phi k and phi d over the denominator [N s/m], [kg]; damping empty: no dashpots
 };

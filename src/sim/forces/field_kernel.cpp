@@ -95,18 +95,6 @@ void add_squares_of_sum(std::span<double, partial_sums> squares, std::span<const
   for (std::size_t partial = 0; i < size; ++i, ++partial) add(single, i, partial);
 }
 
-// x = (x0 + x1) / 2 + h/8 (v0 - v1),  v = 3/2 (x1 - x0) / h - (v0 + v1) / 4
-void set_cubic_middle(const CubicEnds& ends, double h, double* x, double* v, std::size_t size) {
-  const double rate = 1.5 / h;
-  for_elements(size, [&](auto d, std::size_t i) HWY_ATTR {
-    const auto x0 = hn::LoadU(d, ends.start_x + i), x1 = hn::LoadU(d, ends.end_x + i);
-    const auto v0 = hn::LoadU(d, ends.start_v + i), v1 = hn::LoadU(d, ends.end_v + i);
-    const auto half = hn::Set(d, 0.5), quarter = hn::Set(d, 0.25);
-    hn::StoreU(hn::Add(hn::Mul(half, hn::Add(x0, x1)), hn::Mul(hn::Set(d, 0.125 * h), hn::Sub(v0, v1))), d, x + i);
-    hn::StoreU(hn::Sub(hn::Mul(hn::Set(d, rate), hn::Sub(x1, x0)), hn::Mul(quarter, hn::Add(v0, v1))), d, v + i);
-  });
-}
-
 }  // namespace hooke::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -119,7 +107,6 @@ HWY_EXPORT(multiply_each);
 HWY_EXPORT(set_scaled);
 HWY_EXPORT(set_sum);
 HWY_EXPORT(add_squares_of_sum);
-HWY_EXPORT(set_cubic_middle);
 
 void add_scaled(double* y, double s, const double* x, std::size_t size) { HWY_DYNAMIC_DISPATCH(add_scaled)(y, s, x, size); }
 void scale_and_add_scaled(double* y, double r, double s, const double* x, std::size_t size) {
@@ -133,9 +120,6 @@ void set_sum(double* y, const double* start, std::span<const ScaledField> terms,
 }
 void add_squares_of_sum(std::span<double, partial_sums> squares, std::span<const ScaledField> terms, std::size_t size) {
   HWY_DYNAMIC_DISPATCH(add_squares_of_sum)(squares, terms, size);
-}
-void set_cubic_middle(const CubicEnds& ends, double h, double* x, double* v, std::size_t size) {
-  HWY_DYNAMIC_DISPATCH(set_cubic_middle)(ends, h, x, v, size);
 }
 
 }  // namespace hooke

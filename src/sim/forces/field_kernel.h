@@ -30,10 +30,4 @@ void set_sum(double* y, const double* start, std::span<const ScaledField> terms,
 inline constexpr std::size_t partial_sums = 8;
 void add_squares_of_sum(std::span<double, partial_sums> squares, std::span<const ScaledField> terms, std::size_t size);
 
-// The middle of the cubic between two states h [s] apart, and its slope there.
-struct CubicEnds {
-  const double *start_x, *start_v, *end_x, *end_v;
-};
-void set_cubic_middle(const CubicEnds& ends, double h, double* x, double* v, std::size_t size);
-
 }  // namespace hooke

@@ -10,21 +10,59 @@
 
 namespace hooke {
 
+// Of the hinges, for the entries of the matrix of the Plan on and above its diagonal.
+class HingeTangent {
+ public:
+  void reset(std::size_t entries) {
+    damping_.assign(entries, glm::dmat3(0.0));
+    stiffness = 0.0;
+    is_damped_ = is_bent_ = false;
+  }
+  // -df/dx of an entry: the definite part, and the other one, which is due to the moments.
+  void add_stiffness(Index entry, const glm::dmat3& block, const glm::dmat3& curvature) {
+    // only sheets with a rest shape need them
+    if (!is_bent_) blocks_.assign(damping_.size(), glm::dmat3(0.0)), curvature_.assign(damping_.size(), glm::dmat3(0.0));
+    is_bent_ = true;
+    blocks_[entry] += block;
+    curvature_[entry] += curvature;
+  }
+  // -df/dv of an entry.
+  void add_damping(Index entry, const glm::dmat3& block) {
+    damping_[entry] += block;
+    is_damped_ = true;
+  }
+  bool is_damped() const { return is_damped_; }
+  bool has_blocks() const { return is_damped_ || is_bent_; }
+  const glm::dmat3& damping(Index entry) const { return damping_[entry]; }
+  // b D + b^2 K of an entry, without `stiffness`.
+  glm::dmat3 block(Index entry, double b, bool with_curvature) const {
+    glm::dmat3 block = b * damping_[entry];
+    if (is_bent_) block += b * b * blocks_[entry];
+    if (is_bent_ && with_curvature) block += b * b * curvature_[entry];
+    return block;
+  }
+
+  double stiffness = 0.0;  // [N m], times the matrix of the Plan, for each component
+
+ private:
+  std::vector<glm::dmat3> damping_, blocks_, curvature_;
+  bool is_damped_ = false, is_bent_ = false;
+};
+
 class ForceTangent {
  public:
   // Zero, for the points, hinges and enclosures of the plan.
   void reset(const Plan& plan) {
     stiffness_.assign(plan.points, glm::dmat3(0.0));
     damping_.assign(plan.points, glm::dmat3(0.0));
-    hinge_damping_.assign(plan.force_data.hinges.column.size(), glm::dmat3(0.0));
+    hinges.reset(plan.force_data.hinges.column.size());
     volumes_.resize(plan.force_data.enclosures.enclosures.size());
     for (Volume& volume : volumes_) {
       volume.stiffness = 0.0;
       volume.gradient.assign(static_cast<std::size_t>(plan.points) * plan.dimensions, 0.0);
     }
     volume_curvature_.assign(plan.force_data.enclosures.edges.size(), Vec3(0.0));
-    mean_stiffness_ = mean_damping_ = hinge_stiffness_ = 0.0;
-    are_hinges_damped_ = are_hinges_bent_ = false;
+    mean_stiffness_ = mean_damping_ = 0.0;
   }
 
   // -df/dx [N/m] or -df/dv [N s/m] of one point: `axial` along the unit vector u, `transverse` across it.
@@ -35,23 +73,6 @@ class ForceTangent {
   void add_mean(double stiffness, double damping) {
     mean_stiffness_ += stiffness;
     mean_damping_ += damping;
-  }
-  // Of the hinges: `stiffness` [N m] times the matrix of the Plan, for each component; and -df/dv of an entry on or above its diagonal.
-  void add_hinges(double stiffness) { hinge_stiffness_ += stiffness; }
-  // -df/dx of such an entry: the definite part, and the other one, which is due to the moments.
-  void add_hinge_stiffness(Index entry, const glm::dmat3& block, const glm::dmat3& curvature) {
-    // only sheets with a rest shape need them
-    if (!are_hinges_bent_) {
-      hinge_blocks_.assign(hinge_damping_.size(), glm::dmat3(0.0));
-      hinge_curvature_.assign(hinge_damping_.size(), glm::dmat3(0.0));
-    }
-    are_hinges_bent_ = true;
-    hinge_blocks_[entry] += block;
-    hinge_curvature_[entry] += curvature;
-  }
-  void add_hinge_damping(Index entry, const glm::dmat3& block) {
-    hinge_damping_[entry] += block;
-    are_hinges_damped_ = true;
   }
   // Of the volume V of an enclosure: `stiffness` [N/m^5] times dV/dx dV/dx^T.
   void add_volume(const Plan& plan, std::size_t enclosure, double stiffness, const double* x);
@@ -67,21 +88,12 @@ class ForceTangent {
   glm::dmat3 block(Index point, double b) const { return b * damping_[point] + b * b * stiffness_[point]; }
   double mean(double b) const { return b * mean_damping_ + b * b * mean_stiffness_; }
   const glm::dmat3& damping(Index point) const { return damping_[point]; }
-  double hinge_stiffness() const { return hinge_stiffness_; }
-  bool are_hinges_damped() const { return are_hinges_damped_; }
-  const glm::dmat3& hinge_damping(Index entry) const { return hinge_damping_[entry]; }
-  bool have_hinges_blocks() const { return are_hinges_damped_ || are_hinges_bent_; }
-  // b D + b^2 K of an entry, without what `add_hinges` added.
-  glm::dmat3 hinge_block(Index entry, double b, bool with_curvature) const {
-    glm::dmat3 block = b * hinge_damping_[entry];
-    if (are_hinges_bent_) block += b * b * hinge_blocks_[entry];
-    if (are_hinges_bent_ && with_curvature) block += b * b * hinge_curvature_[entry];
-    return block;
-  }
   double mean_damping() const { return mean_damping_; }
   const Volume& volume(std::size_t enclosure) const { return volumes_[enclosure]; }
   // w of an edge of the enclosures, whose block, with the rows of its first point, is K r = w x r [N/m].
   const Vec3& volume_curvature(std::size_t edge) const { return volume_curvature_[edge]; }
+
+  HingeTangent hinges;
 
  private:
   static void add(glm::dmat3& block, const Vec3& u, double axial, double transverse) {
@@ -90,11 +102,10 @@ class ForceTangent {
     block += (axial - transverse) * glm::outerProduct(u, u) + glm::dmat3(transverse);
   }
 
-  std::vector<glm::dmat3> stiffness_, damping_, hinge_damping_, hinge_blocks_, hinge_curvature_;
+  std::vector<glm::dmat3> stiffness_, damping_;
   std::vector<Volume> volumes_;
   std::vector<Vec3> volume_curvature_;
-  double mean_stiffness_ = 0.0, mean_damping_ = 0.0, hinge_stiffness_ = 0.0;
-  bool are_hinges_damped_ = false, are_hinges_bent_ = false;
+  double mean_stiffness_ = 0.0, mean_damping_ = 0.0;
 };
 
 }  // namespace hooke

@@ -28,12 +28,8 @@ bool has_forces_outside_grids(const Plan& plan) {
 
 // E = k/2 |sum s_i x_i - target|^2, f_i = -k s_i (sum s_j x_j - target)
 void add_pull(const Plan& plan, double time, const Field& x, Field& f) {
-  const Vec3 target = plan.hand.pull->target_at(time);
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
-    const double stretch = plan.hand.pull->interpolate(&x[begin]) - target[c];
-    for (const auto& [point, weight] : plan.hand.pull->points()) f[begin + point] -= plan.hand.pull->stiffness * weight * stretch;
-  }
+  const Vec3 stretch = pull_stretch(plan, x, time);
+  for (const auto& [point, weight] : plan.hand.pull->points()) add_vector(plan, f, point, -plan.hand.pull->stiffness * weight * stretch);
 }
 
 void add_force_terms(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
@@ -76,13 +72,9 @@ void compute_position_forces(const Plan& plan, double time, const Field& x, cons
   add_force_terms(plan, time, x, v, f);
 }
 
-void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+void compute_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
   compute_unlisted_forces(plan, time, x, plan.has_dashpots() ? &v : nullptr, f);
   add_force_terms(plan, time, x, v, f);
-}
-
-void compute_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
-  compute_explicit_forces(plan, time, x, v, f);
   if (plan.drag != 0.0) add_drag(plan, v, f);
 }
 

@@ -29,10 +29,7 @@ void add_force_terms(const Plan& plan, double time, const Field& x, const Field&
 // The same, and returns their power [W] but for that of forces derived from potentials.
 double add_force_terms_with_power(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
-// All but drag, with dashpots at v, for methods that integrate drag exactly.
-void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
-
-// f(t, x, v) [N], all forces: the above and drag (-drag m v).
+// f(t, x, v) [N], all forces, with dashpots and drag (-drag m v).
 void compute_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
 // a(t, x, v) = M^-1 f(t, x, v), in one pass over the springs of grids; zero for nailed and held points.

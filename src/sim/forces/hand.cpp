@@ -6,20 +6,10 @@
 #include "sim/forces/spring_laws.h"
 
 namespace hooke {
-namespace {
-
-// The component c of every point.
-const double* component(const Plan& plan, const Field& field, int c) { return field.data() + static_cast<std::size_t>(c) * plan.points; }
-
-}  // namespace
 
 Vec3 hand_force(const Plan& plan, const Motion& motion) {
   Vec3 force(0.0);
-  if (plan.hand.pull) {
-    const Vec3 target = plan.hand.pull->target_at(motion.time);
-    for (int c = 0; c < plan.dimensions; ++c)
-      force[c] = plan.hand.pull->stiffness * (target[c] - plan.hand.pull->interpolate(component(plan, motion.x, c)));
-  }
+  if (plan.hand.pull) force = -plan.hand.pull->stiffness * pull_stretch(plan, motion.x, motion.time);
   if (!plan.hand.held) return force;
 
   // the opposite of the spring forces -(k (l - l0) + d l') u, u from the other end, and of m g
@@ -36,6 +26,10 @@ Vec3 hand_force(const Plan& plan, const Motion& motion) {
   return force;
 }
 
+namespace {
+
+// The energy [J] of the springs between a held point and points that do not move, with the rest lengths at this time: only the hand changes
+// it.
 double energy_of_hand_alone(const Plan& plan, double time, const Motion& motion) {
   double energy = 0.0;
   if (!plan.hand.held) return energy;
@@ -47,6 +41,7 @@ double energy_of_hand_alone(const Plan& plan, double time, const Motion& motion)
   return energy;
 }
 
+// The power [W] of the force of the hand, without what it does to those.
 double hand_power(const Plan& plan, const Motion& motion) {
   if (!plan.hand.held && !plan.hand.pull) return 0.0;
   Vec3 force = hand_force(plan, motion);
@@ -58,6 +53,8 @@ double hand_power(const Plan& plan, const Motion& motion) {
   }
   return glm::dot(force, vector_at(plan, motion.v, *plan.hand.held));
 }
+
+}  // namespace
 
 HandWork::HandWork(const Plan& plan, const Motion& motion)
     : time_(motion.time), power_(hand_power(plan, motion)), stored_(energy_of_hand_alone(plan, motion.time, motion)) {}

@@ -24,9 +24,8 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
     double* x = motion.x.data() + static_cast<std::size_t>(c) * plan.points;
     double* v = motion.v.data() + static_cast<std::size_t>(c) * plan.points;
     for (Index i = 0; i < plan.points; ++i) {
-      const Index listed = plan.listed_index(i);
-      x[i] = state.position[listed][c];
-      v[i] = plan.inverse_mass[i] == 0.0 ? 0.0 : state.velocity[listed][c];
+      x[i] = state.position[i][c];
+      v[i] = plan.inverse_mass[i] == 0.0 ? 0.0 : state.velocity[i][c];
     }
   }
   motion.acceleration_is_current = false;
@@ -46,9 +45,8 @@ void unpack(const Plan& plan, const Motion& motion, State& state) {
     const double* x = motion.x.data() + static_cast<std::size_t>(c) * plan.points;
     const double* v = motion.v.data() + static_cast<std::size_t>(c) * plan.points;
     for (Index i = 0; i < plan.points; ++i) {
-      const Index listed = plan.listed_index(i);
-      state.position[listed][c] = x[i];
-      state.velocity[listed][c] = v[i];
+      state.position[i][c] = x[i];
+      state.velocity[i][c] = v[i];
     }
   }
 }
@@ -77,11 +75,15 @@ void predict_velocity(const Plan& plan, const Motion& motion, double h, Field& v
 
 void drift(Motion& motion, double h) { add_scaled(motion.x.data(), h, motion.v.data(), motion.x.size()); }
 
-double root_mean_square(const Plan& plan, const Field& field) {
+double dot(const Field& a, const Field& b) {
   double sum = 0.0;
-  for (const double value : field) sum += value * value;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+double root_mean_square(const Plan& plan, const Field& field) {
   const auto moving = std::count_if(plan.inverse_mass.begin(), plan.inverse_mass.end(), [](double w) { return w != 0.0; });
-  return moving == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(moving));
+  return moving == 0 ? 0.0 : std::sqrt(dot(field, field) / static_cast<double>(moving));
 }
 
 }  // namespace hooke

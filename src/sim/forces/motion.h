@@ -117,6 +117,9 @@ void predict_velocity(const Plan& plan, const Motion& motion, double h, Field& v
 // x = x + h v.
 void drift(Motion& motion, double h);
 
+// The sum of the products of the elements.
+double dot(const Field& a, const Field& b);
+
 // RMS of the vector lengths over the free points, of a field that is zero at the others.
 double root_mean_square(const Plan& plan, const Field& field);
 

@@ -197,10 +197,12 @@ void add_forces(const Plan& plan, const double* x, const double* v, double* f) {
   }
 }
 
-void add_forces_2d(const Plan& plan, const double* x, const double* v, double* f) { add_forces<2, false>(plan, x, v, f); }
-void add_forces_3d(const Plan& plan, const double* x, const double* v, double* f) { add_forces<3, false>(plan, x, v, f); }
-void add_damped_forces_2d(const Plan& plan, const double* x, const double* v, double* f) { add_forces<2, true>(plan, x, v, f); }
-void add_damped_forces_3d(const Plan& plan, const double* x, const double* v, double* f) { add_forces<3, true>(plan, x, v, f); }
+void add_all_forces(const Plan& plan, const double* x, const double* v, double* f) {
+  if (plan.dimensions == 2)
+    v != nullptr ? add_forces<2, true>(plan, x, v, f) : add_forces<2, false>(plan, x, v, f);
+  else
+    v != nullptr ? add_forces<3, true>(plan, x, v, f) : add_forces<3, false>(plan, x, v, f);
+}
 
 }  // namespace hooke::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -208,17 +210,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace hooke {
 
-HWY_EXPORT(add_forces_2d);
-HWY_EXPORT(add_forces_3d);
-HWY_EXPORT(add_damped_forces_2d);
-HWY_EXPORT(add_damped_forces_3d);
+HWY_EXPORT(add_all_forces);
 
 void add_loose_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {
-  if (plan.spring.loose_runs.empty()) return;
-  if (plan.dimensions == 2)
-    v != nullptr ? HWY_DYNAMIC_DISPATCH(add_damped_forces_2d)(plan, x, v, f) : HWY_DYNAMIC_DISPATCH(add_forces_2d)(plan, x, v, f);
-  else
-    v != nullptr ? HWY_DYNAMIC_DISPATCH(add_damped_forces_3d)(plan, x, v, f) : HWY_DYNAMIC_DISPATCH(add_forces_3d)(plan, x, v, f);
+  if (!plan.spring.loose_runs.empty()) HWY_DYNAMIC_DISPATCH(add_all_forces)(plan, x, v, f);
 }
 
 void add_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {

@@ -1,6 +1,6 @@
 #include "sim/forces/spring_laws.h"
 
-#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "sim/model/portable_math.h"
 
@@ -9,45 +9,25 @@ namespace {
 
 // From the second end to the first one, at x or, if v is given, at x + h v.
 struct Axis {
-  double u[3] = {};
+  Vec3 u{0.0};
   double length = 0.0;
 };
 Axis axis_of(const Plan& plan, const LawSpring& spring, const double* x, const double* v = nullptr, double h = 0.0) {
-  Axis axis;
-  double square = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
-    axis.u[c] = x[at + spring.first] - x[at + spring.second];
-    if (v != nullptr) axis.u[c] += h * (v[at + spring.first] - v[at + spring.second]);
-    square += axis.u[c] * axis.u[c];
-  }
-  axis.length = std::sqrt(square);
-  for (double& component : axis.u) component = axis.length > 0.0 ? component / axis.length : 0.0;
-  return axis;
+  const auto between = [&](const double* field) { return vector_at(plan, field, spring.first) - vector_at(plan, field, spring.second); };
+  const Vec3 along = v != nullptr ? between(x) + h * between(v) : between(x);
+  const double length = glm::length(along);
+  return {length > 0.0 ? along / length : Vec3(0.0), length};
 }
 
 // [m/s], at which the spring becomes longer.
 double speed_along(const Plan& plan, const LawSpring& spring, const Axis& axis, const double* v) {
-  double speed = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
-    speed += axis.u[c] * (v[at + spring.first] - v[at + spring.second]);
-  }
-  return speed;
-}
-
-// Pulls both ends together with weights of their own.
-void pull(const Plan& plan, const LawSpring& spring, const Axis& axis, double of_first, double of_second, double* field) {
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
-    field[at + spring.first] -= of_first * axis.u[c];
-    field[at + spring.second] += of_second * axis.u[c];
-  }
+  return glm::dot(axis.u, vector_at(plan, v, spring.first) - vector_at(plan, v, spring.second));
 }
 
 // v_i -= w_i impulse u,  v_j += w_j impulse u
 void apply_impulse(const Plan& plan, const LawSpring& spring, const Axis& axis, double impulse, Field& v) {
-  pull(plan, spring, axis, plan.inverse_mass[spring.first] * impulse, plan.inverse_mass[spring.second] * impulse, v.data());
+  add_vector(plan, v, spring.first, -plan.inverse_mass[spring.first] * impulse * axis.u);
+  add_vector(plan, v, spring.second, plan.inverse_mass[spring.second] * impulse * axis.u);
 }
 
 bool is_fixed(const Plan& plan, const LawSpring& spring) {
@@ -62,26 +42,9 @@ void add_law_forces(const Plan& plan, double time, const double* x, const double
     const PackedResponse response = response_of(spring, plan.spring.laws.clock, time, axis.length);
     double tension = response.of.tension;
     if (v != nullptr && response.damping > 0.0) tension += response.damping * speed_along(plan, spring, axis, v);
-    pull(plan, spring, axis, tension, tension, f);
+    add_vector(plan, f, spring.first, -tension * axis.u);
+    add_vector(plan, f, spring.second, tension * axis.u);
   }
-}
-
-double law_energy(const Plan& plan, double time, const Field& x) {
-  double energy = 0.0;
-  for (const LawSpring& spring : plan.spring.laws.springs)
-    energy += response_of(spring, plan.spring.laws.clock, time, axis_of(plan, spring, x.data()).length).of.energy;
-  return energy;
-}
-
-double law_dashpot_power(const Plan& plan, double time, const Field& x, const Field& v) {
-  double power = 0.0;
-  for (const LawSpring& spring : plan.spring.laws.springs) {
-    if (spring.damping == 0.0) continue;
-    const Axis axis = axis_of(plan, spring, x.data());
-    const double speed = speed_along(plan, spring, axis, v.data());
-    power += response_of(spring, plan.spring.laws.clock, time, axis.length).damping * speed * speed;
-  }
-  return power;
 }
 
 double muscle_power(const Plan& plan, double time, const Field& x) {

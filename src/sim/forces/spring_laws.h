@@ -27,10 +27,6 @@ inline PackedResponse response_of(const Plan& plan, Index packed, double time, d
 // Adds their forces [N], with dashpots at the velocities v unless it is null.
 void add_law_forces(const Plan& plan, double time, const double* x, const double* v, double* f);
 
-// [J], that they store.
-double law_energy(const Plan& plan, double time, const Field& x);
-// [W], that their dashpots dissipate.
-double law_dashpot_power(const Plan& plan, double time, const Field& x, const Field& v);
 // [W], that muscles and winches supply: -T dl0/dt of each.
 double muscle_power(const Plan& plan, double time, const Field& x);
 

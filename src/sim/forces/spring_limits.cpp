@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "sim/forces/constants.h"
@@ -32,13 +33,7 @@ bool any_reaches_limit(const Plan& plan, const SpringRun& run, const std::vector
 
 // [J], without the energy of the hand and the listed forces.
 double energy_of(const Plan& plan, const Motion& motion) {
-  double kinetic = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c)
-    for (Index i = 0; i < plan.points; ++i) {
-      const double v = motion.v[static_cast<std::size_t>(c) * plan.points + i];
-      if (plan.inverse_mass[i] != 0.0) kinetic += 0.5 * plan.mass[i] * v * v;
-    }
-  return kinetic + stored_energy(plan, motion.time, motion.x);
+  return kinetic_energy(plan, motion.v) + stored_energy(plan, motion.time, motion.x);
 }
 
 // Moves the ends of one spring to the distance `max` and stops their separation. As the distance decreases, they rotate faster about their
@@ -47,22 +42,14 @@ double energy_of(const Plan& plan, const Motion& motion) {
 void limit_spring(const Plan& plan, Motion& motion, Index first, Index second, double length, double max) {
   const double w1 = plan.inverse_mass[first], w2 = plan.inverse_mass[second];
   if (w1 + w2 == 0.0) return;
-  double along[3] = {}, separation_speed = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
-    along[c] = (motion.x[at + second] - motion.x[at + first]) / length;
-    separation_speed += along[c] * (motion.v[at + second] - motion.v[at + first]);
-  }
-  const double correction = (length - max) / (w1 + w2), rotation_gain = length < max_conserving_ratio * max ? length / max - 1.0 : 0.0;
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
-    const double across = motion.v[at + second] - motion.v[at + first] - separation_speed * along[c];
-    const double impulse = (std::max(0.0, separation_speed) * along[c] - rotation_gain * across) / (w1 + w2);
-    motion.x[at + first] += w1 * correction * along[c];
-    motion.x[at + second] -= w2 * correction * along[c];
-    motion.v[at + first] += w1 * impulse;
-    motion.v[at + second] -= w2 * impulse;
-  }
+  const Vec3 along = difference_at(plan, motion.x, first, second) / length, separation = difference_at(plan, motion.v, first, second);
+  const double speed = glm::dot(along, separation), rotation_gain = length < max_conserving_ratio * max ? length / max - 1.0 : 0.0;
+  const Vec3 correction = (length - max) / (w1 + w2) * along;
+  const Vec3 impulse = (std::max(0.0, speed) * along - rotation_gain * (separation - speed * along)) / (w1 + w2);
+  add_vector(plan, motion.x, first, w1 * correction);
+  add_vector(plan, motion.x, second, -w2 * correction);
+  add_vector(plan, motion.v, first, w1 * impulse);
+  add_vector(plan, motion.v, second, -w2 * impulse);
 }
 
 // One round over all springs. Returns whether any was too long.
@@ -88,12 +75,9 @@ void stop_overlong_springs(const Plan& plan, Motion& motion) {
     const double length = std::sqrt(squared_length(plan, motion.x, first, second)), w1 = plan.inverse_mass[first],
                  w2 = plan.inverse_mass[second];
     if (!(length > max_conserving_ratio * plan.spring.max_length[spring]) || !std::isfinite(length) || w1 + w2 == 0.0) return;
-    for (int c = 0; c < plan.dimensions; ++c) {
-      const std::size_t at = static_cast<std::size_t>(c) * plan.points;
-      const double impulse = (motion.v[at + second] - motion.v[at + first]) / (w1 + w2);
-      motion.v[at + first] += w1 * impulse;
-      motion.v[at + second] -= w2 * impulse;
-    }
+    const Vec3 impulse = difference_at(plan, motion.v, first, second) / (w1 + w2);
+    add_vector(plan, motion.v, first, w1 * impulse);
+    add_vector(plan, motion.v, second, -w2 * impulse);
   };
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) stop(run.begin + e, run.first + e, run.second + e);
@@ -103,12 +87,7 @@ void stop_overlong_springs(const Plan& plan, Motion& motion) {
 
 // [m/s], of the ends of a spring of this length, which is not 0.
 double separation_speed(const Plan& plan, const Motion& motion, Index first, Index second, double length) {
-  double speed = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
-    speed += (motion.x[at + second] - motion.x[at + first]) / length * (motion.v[at + second] - motion.v[at + first]);
-  }
-  return speed;
+  return glm::dot(difference_at(plan, motion.x, first, second), difference_at(plan, motion.v, first, second)) / length;
 }
 
 // [W], of a spring of this length.
@@ -119,14 +98,13 @@ double dashpot_power(const Plan& plan, const Motion& motion, Index spring, Index
   return damping * speed * speed;
 }
 
-// A spring that is switched off carries no force and cannot break.
+}  // namespace
+
 bool carries_force(const Plan& plan, Index spring) {
   const LawSprings& laws = plan.spring.laws;
   if (!laws.empty() && laws.of_packed[spring] != no_index) return laws.springs[laws.of_packed[spring]].acts();
   return plan.spring.stiffness[spring] != 0.0 || (plan.has_dashpots() && plan.spring.damping[spring] > 0.0);
 }
-
-}  // namespace
 
 double time_to_break(const Plan& plan, const Motion& motion) {
   double min = std::numeric_limits<double>::infinity();

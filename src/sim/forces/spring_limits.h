@@ -5,6 +5,9 @@
 
 namespace hooke {
 
+// Whether this packed spring does: one that is switched off or broken carries no force and cannot break.
+bool carries_force(const Plan& plan, Index spring);
+
 // [s], until a spring that separates reaches the length at which it breaks, at the velocities of this motion; infinity: none does.
 double time_to_break(const Plan& plan, const Motion& motion);
 

@@ -2,38 +2,41 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "sim/forces/spring_laws.h"
 
 namespace hooke {
 
-// K = axial u u^T + transverse (I - u u^T), u the unit vector along the spring; clamped, as in stiffness.h.
+// Clamped: transverse stiffnesses are at least 0 (methods/implicit/stiffness.h).
+enum class Curvature { Exact, Clamped };
+
+// K = axial u u^T + transverse (I - u u^T), D = damping u u^T, u the unit vector along the spring.
 struct SpringTangent {
-  double u[3] = {};
+  Vec3 u{0.0};
   double axial = 0.0, transverse = 0.0;  // [N/m]
+  double damping = 0.0;                  // [N s/m]
 };
 
-// For every spring with a free end: use(first, second, packed index, tangent at x and this time). `use` may treat both ends as free if its
-// contribution to an end that is not free is ignored.
+// For every spring with a free end: use(first, second, packed index, tangent at x and this time), with dashpots at the velocities v unless
+// it is null. `use` may treat both ends as free if its contribution to an end that is not free is ignored.
 template <class Use>
-void for_each_spring_tangent(const Plan& plan, double time, const Field& x, const Use& use) {
+void for_each_spring_tangent(const Plan& plan, double time, const Field& x, const Field* v, Curvature curvature, const Use& use) {
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const Index i = run.first + e, j = run.second + e, s = run.begin + e;
       if (plan.inverse_mass[i] == 0.0 && plan.inverse_mass[j] == 0.0) continue;
-      SpringTangent tangent;
-      double square = 0.0;
-      for (int c = 0; c < plan.dimensions; ++c) {
-        const std::size_t start = static_cast<std::size_t>(c) * plan.points;
-        tangent.u[c] = x[start + i] - x[start + j];
-        square += tangent.u[c] * tangent.u[c];
+      SpringTangent tangent{.u = difference_at(plan, x, j, i)};
+      const double length = glm::length(tangent.u);
+      const auto [of, damping] = response_of(plan, s, time, length);
+      tangent.axial = tangent.transverse = of.stiffness;
+      if (length > 0.0) {
+        tangent.u /= length;
+        tangent.damping = damping;
+        const double speed = v != nullptr ? glm::dot(tangent.u, difference_at(plan, *v, j, i)) : 0.0;
+        tangent.transverse = (of.tension + damping * speed) / length;
+        if (curvature == Curvature::Clamped) tangent.transverse = std::max(0.0, tangent.transverse);
       }
-      const double length = std::sqrt(square);
-      const SpringResponse of = response_of(plan, s, time, length).of;
-      for (double& component : tangent.u) component = length > 0.0 ? component / length : 0.0;
-      tangent.axial = of.stiffness;
-      tangent.transverse = length > 0.0 ? std::max(0.0, of.tension / length) : of.stiffness;
       use(i, j, s, tangent);
     }
 }

@@ -98,44 +98,7 @@ struct LastAlternateSprings : AlternateSprings<Tag> {
 };
 #endif
 
-// Springs with any ends, one per lane, from lists of their points.
-template <class Tag>
-struct ListedSprings {
-  using D = Tag;
-  using V = hn::Vec<D>;
-  using I = hn::Vec<hn::RebindToSigned<D>>;
-  D d;
-  std::size_t place;
-  I first_end, second_end;
-  HWY_INLINE ListedSprings(Tag tag, std::size_t at, const SpringEnds& ends)
-      : d(tag), place(at), first_end(load_index(ends.first + at)), second_end(load_index(ends.second + at)) {}
-  HWY_INLINE static I load_index(const Index* from) {
-    const hn::RebindToSigned<D> wide;
-    const hn::Rebind<Index, D> narrow;
-    return hn::PromoteTo(wide, hn::LoadU(narrow, from));
-  }
-
-  HWY_INLINE V load(const double* list) const { return hn::LoadU(d, list + place); }
-  HWY_INLINE void load_ends(const double* from, V& first, V& second) const {
-    first = hn::GatherIndex(d, from, first_end);
-    second = hn::GatherIndex(d, from, second_end);
-  }
-  HWY_INLINE void store_ends(V first, V second, double* to) const {
-    hn::ScatterIndex(first, d, to, first_end);
-    hn::ScatterIndex(second, d, to, second_end);
-  }
-};
-
-// use(springs) for the springs of a run from `n` on, in vectors of `Lanes`, if the unit has them; returns the first one left.
-template <int Lanes, class Use>
-HWY_INLINE Index for_listed_springs(const SweepRun& run, const SpringEnds& ends, Index n, const Use& use) {
-  const hn::CappedTag<double, Lanes> d;
-  const Index lanes = static_cast<Index>(hn::Lanes(d));
-  for (; n + lanes <= run.count; n += lanes) use(ListedSprings<decltype(d)>(d, run.place(n), ends));
-  return n;
-}
-
-// The same one by one.
+// One by one.
 template <class Use>
 HWY_INLINE void for_single_springs(const SweepRun& run, Index n, const Use& use) {
   const hn::CappedTag<double, 1> d;
@@ -144,16 +107,9 @@ HWY_INLINE void for_single_springs(const SweepRun& run, Index n, const Use& use)
                                         run.place(n)});
 }
 
-// use(springs) for all springs of a run in vectors; `ends` of springs that are listed.
+// use(springs) for all springs of a run in vectors.
 template <class Use>
-HWY_INLINE void for_springs(const SweepRun& run, const SpringEnds& ends, const Use& use) {
-  if (run.step == 0) {
-    Index n = for_listed_springs<8>(run, ends, 0, use);
-    n = for_listed_springs<4>(run, ends, n, use);
-    n = for_listed_springs<2>(run, ends, n, use);
-    for_listed_springs<1>(run, ends, n, use);
-    return;
-  }
+HWY_INLINE void for_springs(const SweepRun& run, const Use& use) {
 #if HWY_TARGET == HWY_SCALAR
   for_single_springs(run, 0, use);
 #else

@@ -11,15 +11,12 @@ constexpr Integrator automatic_row{
     .formula = "error of a frame <= tolerance / frame rate",
     .source = "Step size control: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, section IV.2.",
     .order = 2,
-    .order_with = {.drag = 2, .damped = 2, .contact = 1, .friction = 1, .force_terms = 1},
+    .order_with = {.drag = 2, .damped = 2, .contact = 1, .force_terms = 1},
     .stability = Stability::Adaptive,
     .energy = EnergyTrend::Drifts,
     .symplectic = false,
     .implicit_solve = ImplicitSolve::None,
-    .implicit_force_terms = true,
     .for_production = true,
-    .prepare = nullptr,
-    .amplification = nullptr,
 };
 
 }  // namespace

@@ -32,9 +32,10 @@ inline constexpr double min_step_factor = 1.0 / 3.0, max_step_factor = 6.0, step
 inline constexpr double error_round_off = 1e-14;
 
 // Newton's method. [1], contraction above which a new factorization is cheaper than more iterations; b omega above which exact curvature is
-// not tried far from the solution; iterations that update listed forces of which some are not continuous.
+// not tried far from the solution; iterations that update listed forces of which some are not continuous; all of them; and about how many
+// factorizations, after which iterations reuse the last matrix.
 inline constexpr double max_contraction = 0.25, max_exact_stiffness = 10.0;
-inline constexpr int max_force_updates = 10;
+inline constexpr int max_force_updates = 10, max_newton_iterations = 100, max_newton_factorizations = 20;
 // [1], Armijo's constant (J. Nocedal, S. Wright, Numerical Optimization, 2nd ed., 3.1), rounding of the potential, and the shortest part of
 // a step that is tried.
 inline constexpr double armijo = 1e-4, potential_round_off = 1e-14, min_newton_step = 1e-9;

@@ -23,12 +23,11 @@ constinit const Integrator implicit_euler{
         "E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.3; solved as in T. F. Gast, C. Schroeder, Optimization "
         "Integrator for Large Time Steps, SCA 2014",
     .order = 1,
-    .order_with = {.drag = 1, .damped = 1, .contact = 1, .friction = 1, .force_terms = 1},
+    .order_with = {.drag = 1, .damped = 1, .contact = 1, .force_terms = 1},
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
     .implicit_solve = ImplicitSolve::Iterative,
-    .implicit_force_terms = true,
     .for_production = true,
     .velocity_lag = 0.5,
     .prepare = DirkMethod<table>::prepare,

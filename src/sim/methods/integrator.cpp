@@ -158,10 +158,9 @@ double largest_stable_step(const Integrator& integrator, const Spectrum& bounds)
   }
 
   double step = contact_step;
-  if (integrator.implicit_force_terms && spectrum.omitted_omega > 0.0) step = std::min(step, max_omitted_angle / spectrum.omitted_omega);
+  if (integrator.is_implicit() && spectrum.omitted_omega > 0.0) step = std::min(step, max_omitted_angle / spectrum.omitted_omega);
   // the other methods add these forces once a step, as symplectic Euler does
-  if (!integrator.implicit_force_terms && integrator.stability != Stability::Adaptive &&
-      (spectrum.force_omega > 0.0 || spectrum.force_rate > 0.0))
+  if (!integrator.is_implicit() && integrator.stability != Stability::Adaptive && (spectrum.force_omega > 0.0 || spectrum.force_rate > 0.0))
     step =
         std::min(step, conditional_step(symplectic_euler,
                                         {.omega = spectrum.force_omega, .force_rate = spectrum.force_rate, .drag_rate = spectrum.drag_rate},

@@ -50,18 +50,23 @@ enum class ImplicitSolve {
 std::string_view describe(Stability stability);
 std::string_view describe(EnergyTrend energy);
 
+// Of positions and velocities of every method, through an impact and sliding under friction, on planes and spheres.
+inline constexpr int friction_order = 1;
+
 // Of positions and velocities too.
 struct OrdersWith {
   int drag;         // alone
   int damped;       // with dashpots
   int contact;      // undamped, through an impact of any restitution, and sliding without friction
-  int friction;     // through an impact and sliding under friction, on planes and spheres
   int force_terms;  // with listed forces, those that depend on velocity included
 };
 
 struct Integrator {
   // The label without what it has in parentheses, for sentences.
   std::string short_name() const { return std::string(label.substr(0, label.find(" ("))); }
+  // Whether listed forces are part of an implicit system. If not, they limit the step also of a method that is otherwise stable at any
+  // step.
+  bool is_implicit() const { return implicit_solve != ImplicitSolve::None; }
 
   std::string_view id;       // on the command line and in files
   std::string_view label;    // in the menu
@@ -75,9 +80,6 @@ struct Integrator {
   EnergyTrend energy;
   bool symplectic;  // undamped
   ImplicitSolve implicit_solve;
-  // Whether listed forces are part of the implicit system. If not, they limit the step also of a method that is otherwise stable at
-  // any step.
-  bool implicit_force_terms;
   // Robust enough for unattended use: the hard cases require that it succeeds at the smallest step tried. The others are for teaching and
   // comparison.
   bool for_production;
@@ -86,13 +88,13 @@ struct Integrator {
   // Whether dashpots are solved exactly, apart from all other forces: with second order only while they decay little within a step.
   bool splits_dashpots = false;
   // Called once per frame, before its first step of h: sizes the workspace and computes what is common to all steps. May be null.
-  void (*prepare)(const Plan& plan, double h, const Motion& motion, Workspace& work);
+  void (*prepare)(const Plan& plan, double h, const Motion& motion, Workspace& work) = nullptr;
   // One step of h; null: the method chooses its own steps.
   void (*step)(const Plan& plan, Motion& motion, Workspace& work, double h) = nullptr;
   // One step of the method's own length, at most `interval` [s], from motion.time, which stays. Returns its length, `interval` itself if
   // it reaches the end; 0: no step is short enough for a finite error. Null: the method takes the step it is given.
   double (*advance)(const Plan& plan, Motion& motion, Workspace& work, double interval) = nullptr;
-  Amplification (*amplification)(const Oscillator& oscillator);  // closed form of one step
+  Amplification (*amplification)(const Oscillator& oscillator) = nullptr;  // closed form of one step
   // [J], the leading terms of the modified energy, which the method conserves to a higher order than the energy of the scene, less the
   // latter, at the end of a step of h. Null: not known.
   double (*modified_energy)(const Plan& plan, const Motion& motion, double h) = nullptr;

@@ -11,11 +11,8 @@ namespace hooke {
 namespace {
 
 void step(const Plan& plan, Motion& motion, Workspace&, double h) {
-  compute_explicit_forces(plan, motion.time, motion.x, motion.v, motion.a);
-  divide_by_mass(plan, motion.a);
-  ++motion.counts.force_evaluations;
-
-  kick_and_drift(plan, motion, h, h);
+  accelerate_kick_and_drift(plan, motion.time, motion, h, h, {.acting = &motion.v});
+  motion.power.reset();  // at the start of the step
 }
 
 // Its velocity is that of velocity Verlet half a step earlier, a kick of h/2 behind the position: with that kick the energy is that of
@@ -58,15 +55,13 @@ constinit const Integrator symplectic_euler{
         "x' = x + h v'",
     .source = "R. de Vogelaere, 1956; E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, I.1",
     .order = 1,
-    .order_with = {.drag = 1, .damped = 1, .contact = 1, .friction = 1, .force_terms = 1},
+    .order_with = {.drag = 1, .damped = 1, .contact = 1, .force_terms = 1},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
     .implicit_solve = ImplicitSolve::None,
-    .implicit_force_terms = false,
     .for_production = false,
     .velocity_lag = 0.5,
-    .prepare = nullptr,
     .step = step,
     .amplification = amplification,
     .modified_energy = modified_energy,

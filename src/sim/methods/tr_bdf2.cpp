@@ -34,12 +34,11 @@ constinit const Integrator tr_bdf2{
         "R. E. Bank et al., IEEE Trans. Electron Devices 32 (1985) 1992-2007; M. E. Hosea, L. F. Shampine, Appl. Numer. Math. 20 (1996) "
         "21-37",
     .order = 2,
-    .order_with = {.drag = 2, .damped = 2, .contact = 2, .friction = 1, .force_terms = 2},
+    .order_with = {.drag = 2, .damped = 2, .contact = 2, .force_terms = 2},
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
     .implicit_solve = ImplicitSolve::Iterative,
-    .implicit_force_terms = true,
     .for_production = true,
     .prepare = DirkMethod<table>::prepare,
     .step = DirkMethod<table>::step,

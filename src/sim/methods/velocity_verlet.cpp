@@ -110,12 +110,11 @@ constinit const Integrator velocity_verlet{
         "C. Stoermer, 1907; L. Verlet, Phys. Rev. 159 (1967) 98-103; W. C. Swope et al., J. Chem. Phys. 76 (1982) 637-649; splitting: G. "
         "Strang, 1968",
     .order = 2,
-    .order_with = {.drag = 2, .damped = 2, .contact = 2, .friction = 1, .force_terms = 2},
+    .order_with = {.drag = 2, .damped = 2, .contact = 2, .force_terms = 2},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
     .implicit_solve = ImplicitSolve::None,
-    .implicit_force_terms = false,
     .for_production = true,
     .splits_dashpots = true,
     .prepare = prepare,

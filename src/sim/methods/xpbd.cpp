@@ -9,9 +9,7 @@
 // Each spring alone is damped as by implicit Euler; coupled springs converge only as far as one sweep reaches, so that long chains, or
 // chains of very different masses, are far too soft. The order of the springs decides whether the motion stays bounded: springs of one
 // color share no point and are processed along one direction of a grid after another.
-#include "sim/forces/bands.h"
 #include "sim/forces/constraints.h"
-#include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
 #include "sim/forces/kick.h"
 #include "sim/forces/spring_laws.h"
@@ -31,23 +29,9 @@ void pull(const Plan& plan, Motion& motion, double h) {
   double w = 0.0;
   for (const auto& [point, weight] : hand.points()) w += weight * weight * plan.inverse_mass[point];
   const double stiffness = phi * k / (1.0 + phi * h * k * w);
-  const Vec3 target = hand.target_at(motion.time + h);
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
-    const double impulse = stiffness * (hand.interpolate(&motion.x[begin]) + h * hand.interpolate(&motion.v[begin]) - target[c]);
-    for (const auto& [point, weight] : hand.points()) motion.v[begin + point] -= plan.inverse_mass[point] * weight * impulse;
-  }
-}
-
-// to = to + h from, on the threads of the plan.
-void advance(const Plan& plan, const Field& from, double h, Field& to) {
-  constexpr Index min_points = 2000;  // some microseconds
-  for_parts(plan, plan.points, min_points, [&](int, Index first, Index end) {
-    for (int c = 0; c < plan.dimensions; ++c) {
-      const std::size_t at = static_cast<std::size_t>(c) * plan.points + first;
-      add_scaled(to.data() + at, h, from.data() + at, static_cast<std::size_t>(end - first));
-    }
-  });
+  const Vec3 stretch = pull_stretch(plan, motion.x, motion.time + h) + h * pulled_mean(plan, motion.v);
+  for (const auto& [point, weight] : hand.points())
+    add_vector(plan, motion.v, point, -plan.inverse_mass[point] * weight * stiffness * stretch);
 }
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
@@ -58,17 +42,13 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
     motion.acceleration_is_current = true;
   }
 
-  if (plan.drag == 0.0)
-    advance(plan, motion.a, h, motion.v);
-  else
-    kick(plan, motion, h);
-
+  kick(plan, motion, h);
   structure_of<Constraints>(work).sweep(plan, h, motion.x, motion.v);
   project_laws(plan, h, kick_over(plan.drag, h).weight, motion.time + h, motion.x, motion.v);
   if (plan.hand.pull) pull(plan, motion, h);
   ++motion.counts.sweeps;
 
-  advance(plan, motion.v, h, motion.x);
+  drift(motion, h);
 }
 
 // x' = x + h v',  v' = ((E - phi q) v - phi omega^2 x) / (1 + phi (h omega^2 + lambda))
@@ -93,12 +73,11 @@ constinit const Integrator xpbd{
         "x' = x + h v",
     .source = "M. Macklin, M. Mueller, N. Chentanez, XPBD, MIG 2016; M. Macklin et al., Small Steps in Physics Simulation, SCA 2019",
     .order = 1,
-    .order_with = {.drag = 1, .damped = 1, .contact = 1, .friction = 1, .force_terms = 1},
+    .order_with = {.drag = 1, .damped = 1, .contact = 1, .force_terms = 1},
     .stability = Stability::EachSpring,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
     .implicit_solve = ImplicitSolve::None,
-    .implicit_force_terms = false,
     .for_production = true,
     .velocity_lag = 0.5,
     .prepare = prepare,

@@ -25,6 +25,7 @@ struct EnergyBalance {
   double since = 0.0;   // [s]
   double change = 0.0;  // [J], of kinetic, elastic and gravitational energy together
   EnergyLedger ledger;  // what explains it
+  double scale = 0.0;   // [J], all that was supplied: what the gain or loss by the method is relative to; 0: not measured
   // [J], the rest, gained or lost by the numerical method.
   double method() const { return change - ledger.sum(); }
   // [J], the change, its terms and the rest, by their names in reports.
@@ -45,6 +46,18 @@ struct EnergyBalance {
   bool operator==(const EnergyBalance&) const = default;
 };
 
+// What half the error needs: the number of substeps or the tolerance, and the time a frame takes relative to now.
+struct HalfError {
+  int substeps = 0;
+  double tolerance = 0.0;     // [m], of an adaptive method; 0: it has none
+  double cost = 0.0;          // [1]
+  std::string_view reason{};  // why nothing is known, if so
+};
+
+struct TimedError {
+  double error = 0.0, time = 0.0;  // [m], [s]
+};
+
 struct Accuracy {
   bool is_on = false;
   std::string_view off_reason = "switched off";  // why nothing is measured, if it is not on
@@ -63,21 +76,14 @@ struct Accuracy {
   Loss loss = Loss::None;
   bool is_smooth = true;  // nothing touched or broke, no strain limit and no hand acted: a tolerance decides about the accumulated error
   double since = 0.0, accumulated_time = 0.0;  // [s]: start, and the time up to which it is known
-  // [m], [s]: the largest one since then, and when; an error may fall again, as when a vibration of the wrong frequency dies out
-  double max_accumulated = 0.0, max_accumulated_time = 0.0;
+  TimedError max_accumulated;                  // since then; an error may fall again, as when a vibration of the wrong frequency dies out
 
   // [1], factor by which a small difference grows in a second; and the rate [1/s] of its exponential growth, 0: none
   Measured amplification, growth_rate;
   Measured predictable;  // [s], until small errors have grown to a tenth of the size; infinity: no exponential growth
 
   EnergyBalance energy;
-  double energy_scale = 0.0;  // [J], all that was supplied: what the gain or loss by the method is relative to; 0: not measured
-
-  // What half the error needs: the number of substeps or the tolerance, and the time a frame takes relative to now [1]
-  int half_error_substeps = 0;
-  double half_error_tolerance = 0.0;  // [m], of an adaptive method; 0: it has none
-  double half_error_cost = 0.0;
-  std::string_view half_error_reason{};  // why nothing is known, if so
+  HalfError half_error;
 };
 
 }  // namespace hooke

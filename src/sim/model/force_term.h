@@ -75,11 +75,12 @@ struct ForceTerm {
   // it.
   ForceBound (*bound)(const System& system, const Plan& prepared, const ForceValues& values, double point_speed);
   // Adds the derivatives of the force for implicit methods. Null: zero, or not continuous.
-  void (*add_tangent)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, ForceTangent& tangent);
+  void (*add_tangent)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v,
+                      ForceTangent& tangent) = nullptr;
   // [J], of the conservative part of the force, or of the whole force if there is no `power`. Null: not conservative, or does no work.
-  double (*potential)(const Plan& plan, const ForceValues& values, double time, const double* x);
+  double (*potential)(const Plan& plan, const ForceValues& values, double time, const double* x) = nullptr;
   // [W], of the other part. Null: zero.
-  double (*power)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v);
+  double (*power)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v) = nullptr;
   // Adds the force as `add` does, and returns what `power` does. Null: one after the other.
   double (*add_with_power)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f) = nullptr;
   // Whether it depends on the velocity with these values. Null: always, if depends_on_velocity.

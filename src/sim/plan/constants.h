@@ -14,14 +14,6 @@ inline constexpr std::size_t max_grid_widths = 16;
 // [springs], of a run: longer ones are split, so that what a kernel reads of one stays in a fast cache.
 inline constexpr Index max_run_length = 512;
 
-// Points are renumbered if less than this part of the springs joins points as many numbers apart as many others do [1], and either the new
-// numbers put this part of the points into lattices and gain this part of such springs [1], or make ropes of nearly all of them [1], or the
-// ends of springs are farther apart than a fast cache reaches [points] and come closer by this factor [1].
-inline constexpr double regular_enough = 0.5, min_in_lattices = 0.25, min_regular_gain = 0.2, regular_as_ropes = 0.9, far_apart = 2500.0,
-                        min_approach = 0.25;
-// More springs than a point of a net has: they join something else. And the fewest points of a lattice.
-inline constexpr Index max_net_degree = 8, min_lattice_points = 64;
-
 // Faces below this height, relative to their longest side [1], are degenerate; and those whose area is not between these [m^2], at which
 // stiffnesses overflow.
 inline constexpr double min_relative_height = 1e-6, min_rest_area = 1e-200, max_rest_area = 1e200;

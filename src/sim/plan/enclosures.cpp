@@ -314,7 +314,7 @@ void add_volume_gradient(const Plan& plan, const Enclosure& enclosure, double sc
     for (int a = 0; a < 3; ++a) p[a] = relative_position(plan, x, points[a], origin);
     for (int a = 0; a < 3; ++a) {
       const Vec3 normal = scale * side.weight / 6.0 * glm::cross(p[(a + 1) % 3], p[(a + 2) % 3]);
-      for (int c = 0; c < 3; ++c) f[static_cast<std::size_t>(c) * n + static_cast<std::size_t>(points[a])] += normal[c];
+      add_vector(plan, f, points[a], normal);
     }
   }
 }

@@ -46,8 +46,7 @@ struct Grid {
 };
 
 // Finds disjoint grids in the springs of `runs`, in ascending order of their points. The runs that are left, split where grids
-// took springs out of them, go to `rest`. Independent of the order in which springs were made; points are taken as numbered
-// (numbering/point_order.h).
+// took springs out of them, go to `rest`. Independent of the order in which springs were made, but not of that of the points.
 std::vector<Grid> find_grids(std::span<const SpringRun> runs, Index points, std::vector<SpringRun>& rest);
 
 // Copies the number of each packed spring to the cells; 0 where there is no spring. With `each_row` every row is stored, even if

@@ -8,10 +8,8 @@
 #include "sim/model/grab.h"
 #include "sim/model/portable_math.h"
 #include "sim/model/state.h"
-#include "sim/plan/law_springs.h"
-#include "sim/plan/numbering/point_order.h"
-#include "sim/plan/numbering/spring_runs.h"
 #include "sim/plan/spectrum_rows.h"
+#include "sim/plan/spring_runs.h"
 
 namespace hooke {
 namespace {
@@ -86,6 +84,28 @@ void plan_length_limits(Plan& plan, const System& system) {
   }
 }
 
+// The springs with a law, into a plan that has its runs.
+void plan_laws(Plan& plan, const System& system) {
+  LawSprings& laws = plan.spring.laws;
+  laws = {.clock = system.muscles};
+  if (!system.springs().have_laws()) return;
+  laws.of_packed.assign(plan.springs, no_index);
+  for (const SpringRun& run : plan.spring.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const Spring spring = system.springs()[plan.spring.index[run.begin + e]];
+      if (!spring.law) continue;
+      laws.of_packed[run.begin + e] = static_cast<Index>(laws.springs.size());
+      laws.springs.push_back({.first = run.first + e,
+                              .second = run.second + e,
+                              .law = *spring.law,
+                              .stiffness = system.stiffness_of(spring),
+                              .damping = system.damping_of(spring),
+                              .rest_length = spring.rest_length});
+      laws.move = laws.move || (spring.law->moves() && system.muscles.rate() != 0.0);
+    }
+  if (laws.springs.empty()) laws = {};
+}
+
 // The forces that are on, and the faces if there are any such forces.
 void plan_forces(Plan& plan, const System& system) {
   plan.forces.clear();
@@ -108,7 +128,6 @@ void plan_forces(Plan& plan, const System& system) {
 // `prepared` has the forces of the system.
 Spectrum bound_spectrum(const System& system, const Plan& prepared, double point_speed);
 
-// Of points of the System.
 PlannedPull plan_pull(const System& system, const Grab& grab) {
   PlannedPull pull{.stiffness = grab.stiffness};
   pull.parts[0].point = system.index_of(grab.point);
@@ -118,11 +137,11 @@ PlannedPull plan_pull(const System& system, const Grab& grab) {
   return pull;
 }
 
-// Releases the held point, and holds this one of the Plan.
-void set_held_point(Plan& plan, const System& system, std::optional<Index> number) {
-  const auto held_point = [&]() -> const Point& { return system.points()[plan.listed_index(*plan.hand.held)]; };
+// Releases the held point, and holds this one.
+void set_held_point(Plan& plan, const System& system, std::optional<Index> point) {
+  const auto held_point = [&]() -> const Point& { return system.points()[*plan.hand.held]; };
   if (plan.hand.held) plan.inverse_mass[*plan.hand.held] = held_point().nailed ? 0.0 : 1.0 / held_point().mass;
-  plan.hand.held = number;
+  plan.hand.held = point;
   plan.hand.held_springs.clear();
   if (!plan.hand.held) return;
   plan.inverse_mass[*plan.hand.held] = 0.0;
@@ -146,27 +165,11 @@ void add_pull_rows(const System& system, std::vector<double>& row) {
 
 }  // namespace
 
-namespace {
-
-// Numbers the points, and finds the runs of springs between them.
-void plan_runs(Plan& plan, const System& system, Numbering numbering) {
-  std::vector<EdgeEnds> ends = spring_ends(system);
-  if (numbering == Numbering::Fastest && plan.springs >= min_springs_of_grids) plan.numbering.index = choose_point_order(system, ends);
-  if (!plan.numbering.index.empty()) {
-    plan.numbering.number.resize(plan.numbering.index.size());
-    for (Index i = 0; i < plan.points; ++i) plan.numbering.number[plan.numbering.index[i]] = i;
-    for (auto& [first, second] : ends) first = plan.numbering.number[first], second = plan.numbering.number[second];
-  }
-  find_runs(ends, plan.spring.runs, plan.spring.index);
-}
-
-}  // namespace
-
-Plan make_plan(const System& system, Numbering numbering) {
+Plan make_plan(const System& system) {
   Plan plan;
   plan.points = system.point_count();
   plan.springs = system.spring_count();
-  plan_runs(plan, system, numbering);
+  find_runs(system, plan.spring.runs, plan.spring.index);
   if (plan.springs >= min_springs_of_grids)
     plan.spring.grids = find_grids(plan.spring.runs, plan.points, plan.spring.loose_runs);
   else
@@ -174,29 +177,6 @@ Plan make_plan(const System& system, Numbering numbering) {
   refresh_values(plan, system);
   return plan;
 }
-
-namespace {
-
-// The System with its points in the order of the Plan.
-System in_order_of(const Plan& plan, const System& system) {
-  std::vector<Point> points;
-  points.reserve(system.points().size());
-  for (const Index i : plan.numbering.index) points.push_back(system.points()[i]);
-  System ordered = system;
-  ordered.set_points(std::move(points));
-  return ordered;
-}
-
-// What refers to points by their numbers, and the bounds. `system` has its points in the order of the Plan if any of these lists is not
-// empty.
-void refresh_lists_of_points(Plan& plan, const System& system) {
-  plan.pairs = plan_pairs(system);
-  plan.surface = plan_surface(system);
-  plan_forces(plan, system);
-  plan.spectrum = bound_spectrum(system, plan, 0.0);
-}
-
-}  // namespace
 
 void refresh_values(Plan& plan, const System& system) {
   plan.dimensions = system.dimensions;
@@ -210,19 +190,15 @@ void refresh_values(Plan& plan, const System& system) {
   plan.mass.resize(plan.points);
   plan.inverse_mass.resize(plan.points);
   for (Index i = 0; i < plan.points; ++i) {
-    const Point& point = system.points()[plan.listed_index(i)];
+    const Point& point = system.points()[i];
     plan.mass[i] = point.mass;
     plan.inverse_mass[i] = point.nailed ? 0.0 : 1.0 / point.mass;
   }
   if (system.grab && system.grab->kind == GrabKind::Hold)
-    set_held_point(plan, system, plan.number_of(system.index_of(system.grab->point)));
+    set_held_point(plan, system, system.index_of(system.grab->point));
   else
     set_held_point(plan, system, std::nullopt);
-  if (system.grab && system.grab->kind == GrabKind::Pull) {
-    plan.hand.pull = plan_pull(system, *system.grab);
-    for (int part = 0; part < plan.hand.pull->count; ++part)
-      plan.hand.pull->parts[part].point = plan.number_of(plan.hand.pull->parts[part].point);
-  }
+  if (system.grab && system.grab->kind == GrabKind::Pull) plan.hand.pull = plan_pull(system, *system.grab);
 
   plan.spring.stiffness.resize(plan.springs);
   plan.spring.rest_length.resize(plan.springs);
@@ -241,14 +217,13 @@ void refresh_values(Plan& plan, const System& system) {
   plan_length_limits(plan, system);
   refresh_grids(plan);
   plan_colliders(plan, system);
-  const bool has_lists = system.contact.any() || std::ranges::any_of(system.forces, &Force::on);
-  if (has_lists && !plan.numbering.index.empty())
-    refresh_lists_of_points(plan, in_order_of(plan, system));
-  else
-    refresh_lists_of_points(plan, system);
+  plan.pairs = plan_pairs(system);
+  plan.surface = plan_surface(system);
+  plan_forces(plan, system);
+  plan.spectrum = bound_spectrum(system, plan, 0.0);
   plan.radius.clear();
   if (plan.has_contact() || !plan.forces.empty())
-    for (Index i = 0; i < plan.points; ++i) plan.radius.push_back(system.points()[plan.listed_index(i)].radius);
+    for (const Point& point : system.points()) plan.radius.push_back(point.radius);
 }
 
 void refresh_grids(Plan& plan) {
@@ -277,7 +252,7 @@ void prepare_hand(Plan& plan, const System& system, const State& state, double d
   // a scripted hand grabs and releases its point between frames
   const std::optional<ActiveGrab> grab = active_grab(system, state, duration);
   std::optional<Index> held;
-  if (grab && grab->kind == GrabKind::Hold) held = plan.number_of(system.index_of(grab->point));
+  if (grab && grab->kind == GrabKind::Hold) held = system.index_of(grab->point);
   if (plan.hand.held != held) set_held_point(plan, system, held);
 
   if (plan.hand.pull) {

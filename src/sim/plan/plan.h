@@ -46,12 +46,6 @@ struct PlannedPull {
   Vec3 from{0.0}, velocity{0.0};
   Vec3 target_at(double time) const { return from + (time - start) * velocity; }
   std::span<const Part> points() const { return {parts.data(), static_cast<std::size_t>(count)}; }
-  // The weighted mean over the points of the component of a field that starts at x.
-  double interpolate(const double* x) const {
-    double sum = 0.0;
-    for (const Part& part : points()) sum += part.weight * x[part.point];
-    return sum;
-  }
 };
 
 // `cells` quads, from the panel `first` on,
@@ -101,12 +95,6 @@ struct StickyContact {
 struct StickyPlan {
   double strength = 0.0;            // [N]; 0: none does
   std::vector<StickyContact> held;  // during the step in progress (forces/terms/sticking.h)
-};
-
-// Points have the numbers in which they are stepped fastest (numbering/point_order.h). Empty: those of the System.
-struct PointNumbers {
-  std::vector<Index> index;   // of the planned point, in the System
-  std::vector<Index> number;  // of the System's point, in the Plan
 };
 
 // A spring with a law, or whose rest length moves. Among the packed springs, it has no stiffness and no damping.
@@ -167,7 +155,6 @@ struct PlannedHand {
 };
 
 struct Plan {
-  PointNumbers numbering;
   Index points = 0;
   Index springs = 0;
   int dimensions = 3;
@@ -194,10 +181,6 @@ struct Plan {
 
   Execution execution;  // set by whoever steps; a new plan is stepped by one thread in double precision
 
-  // From the index of a point in the System to that in the Plan, and back.
-  Index number_of(Index listed) const { return numbering.number.empty() ? listed : numbering.number[listed]; }
-  Index listed_index(Index number) const { return numbering.index.empty() ? number : numbering.index[number]; }
-
   bool has_contact() const { return !colliders.empty() || !one_way.empty() || touches_itself(); }
   bool touches_itself() const { return pairs.on || surface.on; }
   bool has_dashpots() const { return !spring.damping.empty(); }
@@ -213,12 +196,29 @@ inline Vec3 vector_at(const Plan& plan, const double* field, Index i) {
   return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
 }
 inline Vec3 vector_at(const Plan& plan, const Field& field, Index i) { return vector_at(plan, field.data(), i); }
+// That of point j relative to point i.
+inline Vec3 difference_at(const Plan& plan, const Field& field, Index i, Index j) {
+  return vector_at(plan, field, j) - vector_at(plan, field, i);
+}
+// The weighted mean over the points that the hand pulls.
+inline Vec3 pulled_mean(const Plan& plan, const Field& field) {
+  Vec3 mean(0.0);
+  for (const auto& [point, weight] : plan.hand.pull->points()) mean += weight * vector_at(plan, field, point);
+  return mean;
+}
+// [m], of the spring of the hand.
+inline Vec3 pull_stretch(const Plan& plan, const Field& x, double time) {
+  Vec3 target = plan.hand.pull->target_at(time);
+  if (plan.dimensions == 2) target.z = 0.0;
+  return pulled_mean(plan, x) - target;
+}
+inline void add_vector(const Plan& plan, double* field, Index i, const Vec3& vector) {
+  for (int c = 0; c < plan.dimensions; ++c) field[static_cast<std::size_t>(c) * plan.points + i] += vector[c];
+}
+inline void add_vector(const Plan& plan, Field& field, Index i, const Vec3& vector) { add_vector(plan, field.data(), i, vector); }
 
-enum class Numbering { Fastest, AsListed };
-
-// Compiles the structure and the values. O(springs log springs). AsListed: points have the numbers of the System, for diagnoses that use
-// both.
-Plan make_plan(const System& system, Numbering numbering = Numbering::Fastest);
+// Compiles the structure and the values. O(springs log springs). Points keep their indices.
+Plan make_plan(const System& system);
 
 // Updates values (masses, nails, stiffness, damping, rest lengths, forces, colliders) after edits that did not change the lists of points
 // and springs. The hand is set by prepare_hand.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/model/rest_lengths.h"
+#include "sim/plan/constants.h"
 
 namespace hooke {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <tuple>
+#include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
 
 namespace hooke {
@@ -13,21 +14,6 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-
-// exp(A), by its Taylor series for a matrix of norm 1/2 and repeated squaring (C. Moler, C. Van Loan 2003, method 3).
-Matrix exponential(Matrix a) {
-  int squarings = 0;
-  for (double norm = a.cwiseAbs().rowwise().sum().maxCoeff(); norm > 0.5 && std::isfinite(norm); norm *= 0.5) ++squarings;
-  a *= std::ldexp(1.0, -squarings);
-  Matrix sum = Matrix::Identity(a.rows(), a.cols()), term = sum;
-  constexpr int terms = 18;
-  for (int k = 1; k <= terms; ++k) {
-    term = term * a / k;
-    sum += term;
-  }
-  for (int i = 0; i < squarings; ++i) sum = sum * sum;
-  return sum;
-}
 
 }  // namespace
 
@@ -46,7 +32,7 @@ struct LinearMotion::Matrices {
     if (duration == 0.0) return;
     // frames of the same length, up to rounding
     if (!(std::abs(duration - seconds) <= 1e-12 * std::abs(duration))) {
-      step = exponential(rates * duration);
+      step = (rates * duration).exp();
       seconds = duration;
     }
     Vector now(2 * n + 1);

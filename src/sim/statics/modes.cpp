@@ -102,15 +102,10 @@ std::optional<Mode> confirmed_mode(const Find& find, bool is_damped) {
 // u.K u and u.D u, of a mode with u.M u = 1.
 Mode mode_of(const Plan& plan, const std::vector<double>& damping, const Field& x, const Vector& u) {
   double stiffness = 0.0, rate = 0.0;
-  for_each_spring_tangent(plan, 0.0, x, [&](Index i, Index j, Index s, const SpringTangent& tangent) {
-    double axial = 0.0, square = 0.0;
-    for (int c = 0; c < plan.dimensions; ++c) {
-      const Eigen::Index start = static_cast<Eigen::Index>(c) * plan.points;
-      const double part = u[start + i] - u[start + j];
-      axial += tangent.u[c] * part;
-      square += part * part;
-    }
-    stiffness += tangent.axial * axial * axial + tangent.transverse * std::max(0.0, square - axial * axial);
+  for_each_spring_tangent(plan, 0.0, x, nullptr, Curvature::Clamped, [&](Index i, Index j, Index s, const SpringTangent& tangent) {
+    const Vec3 part = vector_at(plan, u.data(), i) - vector_at(plan, u.data(), j);
+    const double axial = glm::dot(tangent.u, part);
+    stiffness += tangent.axial * axial * axial + tangent.transverse * std::max(0.0, glm::dot(part, part) - axial * axial);
     if (!damping.empty()) rate += damping[s] * axial * axial;
   });
   return {std::sqrt(std::max(0.0, stiffness)), rate, {u.data(), u.data() + u.size()}};
@@ -124,18 +119,11 @@ std::optional<Mode> fastest_mode(const Plan& plan, const std::vector<double>& da
   const auto apply = [&](Vector& y) {
     y = y.cwiseProduct(inverse);
     force.setZero();
-    for_each_spring_tangent(plan, 0.0, x, [&](Index i, Index j, Index, const SpringTangent& tangent) {
-      double axial = 0.0;
-      for (int c = 0; c < plan.dimensions; ++c) {
-        const Eigen::Index start = static_cast<Eigen::Index>(c) * plan.points;
-        axial += tangent.u[c] * (y[start + i] - y[start + j]);
-      }
-      for (int c = 0; c < plan.dimensions; ++c) {
-        const Eigen::Index start = static_cast<Eigen::Index>(c) * plan.points;
-        const double f = (tangent.axial - tangent.transverse) * axial * tangent.u[c] + tangent.transverse * (y[start + i] - y[start + j]);
-        force[start + i] += f;
-        force[start + j] -= f;
-      }
+    for_each_spring_tangent(plan, 0.0, x, nullptr, Curvature::Clamped, [&](Index i, Index j, Index, const SpringTangent& tangent) {
+      const Vec3 part = vector_at(plan, y.data(), i) - vector_at(plan, y.data(), j);
+      const Vec3 f = (tangent.axial - tangent.transverse) * glm::dot(tangent.u, part) * tangent.u + tangent.transverse * part;
+      add_vector(plan, force.data(), i, f);
+      add_vector(plan, force.data(), j, -f);
     });
     y = force.cwiseProduct(inverse);
   };

@@ -51,8 +51,7 @@ Index worst_spring(const System& system, const State& state, Index point) {
     const Spring& spring = system.springs()[s];
     const bool on_point = point != no_index && (spring.first == system.points()[point].id || spring.second == system.points()[point].id);
     if (worst_is_on_point && !on_point) continue;
-    const double extension = strain(system, state, spring) * std::max(spring.rest_length, 1e-300);
-    const double energy = std::isfinite(extension) ? system.stiffness_of(spring) * extension * extension : INFINITY;
+    const double elastic = elastic_energy(system, state, spring), energy = std::isfinite(elastic) ? elastic : INFINITY;
     if (energy > highest || (on_point && !worst_is_on_point)) {
       highest = energy;
       worst = s;

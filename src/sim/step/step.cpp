@@ -28,12 +28,12 @@ HandMotion move_hand(const Plan& plan, const System& system, const State& state,
   if (grab) {
     const Vec3 from = system.grab ? state.hand.position : state.position[system.index_of(grab->point)];
     hand.target = clamp_hand_target(system, from, grab->target, duration);
-    displacement = hand.target - (plan.hand.held ? state.position[plan.listed_index(*plan.hand.held)] : from);
+    displacement = hand.target - (plan.hand.held ? state.position[*plan.hand.held] : from);
     hand.stretch = stretch_energy(system, glm::length(displacement) / substeps);
   }
   hand.speed = (glm::length(displacement) + glm::length(hand.collider_displacement)) / duration;
   if (plan.hand.held) {
-    const Vec3 velocity = displacement / duration, before = state.velocity[plan.listed_index(*plan.hand.held)];
+    const Vec3 velocity = displacement / duration, before = state.velocity[*plan.hand.held];
     for (int c = 0; c < plan.dimensions; ++c) motion.v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held] = velocity[c];
     motion.energy.add(EnergyCause::Hand, 0.5 * plan.hand.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before)));
   }
@@ -65,7 +65,7 @@ void Frame::end(const Plan& plan, State& state) const {
   state.hand.position = hand_.target;
   if (auto& carried = state.hand.collider) carried->shape = translated(carried->shape, hand_.collider_displacement);
   if (plan.hand.held)
-    for (int c = 0; c < plan.dimensions; ++c) state.position[plan.listed_index(*plan.hand.held)][c] = hand_.target[c];
+    for (int c = 0; c < plan.dimensions; ++c) state.position[*plan.hand.held][c] = hand_.target[c];
   record_frame_energy(plan, explained(motion_.energy, plan.hand.held || plan.collider_paths.any_moves), hand_, state);
 }
 

@@ -5,9 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <numeric>
-#include <utility>
-#include <vector>
 
 #include "base/formatted.h"
 #include "base/threads/thread_team.h"
@@ -102,7 +99,6 @@ constexpr std::array rows{
     KernelCase{.name = "bend springs",
                .description = "with springs to the second next point, which are not part of the grid",
                .generator = R"(, "bend_stiffness": 100)"},
-    KernelCase{.name = "shuffled", .description = "points and springs in random order", .is_shuffled = true},
     KernelCase{.name = "general graph",
                .description = "a lattice, which contains no grid",
                .generator = R"(, "damping": 0)",
@@ -116,31 +112,6 @@ constexpr std::array rows{
     KernelCase{.name = "baraff_witkin per 1/60 s", .method = "baraff_witkin", .step = implicit_step, .max_size = 64},
     KernelCase{.name = "tr_bdf2 per 1/60 s", .method = "tr_bdf2", .step = implicit_step, .max_size = 64},
 };
-
-std::vector<std::size_t> shuffled(std::size_t count, Random& random) {
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), 0u);
-  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random.next_bits() % i]);
-  return order;
-}
-
-// The same net with its points and springs in another order.
-void shuffle(Scene& scene) {
-  Random random(1);
-  const std::vector<Point> points = scene.system.points();
-  const std::vector<Spring> springs = scene.system.springs();
-  const State state = scene.state;
-  std::vector<Point> new_points;
-  std::vector<Spring> new_springs;
-  for (const std::size_t from : shuffled(points.size(), random)) {
-    scene.state.position[new_points.size()] = state.position[from];
-    scene.state.velocity[new_points.size()] = state.velocity[from];
-    new_points.push_back(points[from]);
-  }
-  for (const std::size_t from : shuffled(springs.size(), random)) new_springs.push_back(springs[from]);
-  scene.system.set_points(std::move(new_points));
-  scene.system.set_springs(new_springs);
-}
 
 // On its lower edge, just above the floor.
 void stand(Scene& scene) {
@@ -169,7 +140,6 @@ Scene make_kernel_scene(const KernelCase& row, int n, int substeps) {
           "simulation": {"integrator": "%s", "frame_rate": %.17g, "substeps": %d}%s})",
       net.c_str(), std::string(row.method).c_str(), rate / substeps, substeps, std::string(row.members).c_str());
   Scene scene = parse_scene(text, "cloth").scene;
-  if (row.is_shuffled) shuffle(scene);
   if (row.is_dropped) stand(scene);
   return scene;
 }

@@ -16,7 +16,6 @@ struct KernelCase {
   std::string_view description;
   std::string_view members;    // of the scene, besides the net
   std::string_view generator;  // members of the generator of the net
-  bool is_shuffled = false;    // points and springs are listed in random order
   bool is_block = false;       // the jelly block instead of the cloth
   bool is_nailed = true;       // the cloth hangs from two corners; false: it falls
   bool is_dropped = false;     // it is vertical and slightly wavy, and falls on its lower edge

@@ -6,7 +6,6 @@
 // other spring comes first, then those between, which share no points either. A backward sweep is the exact reverse.
 #include "sim/forces/dashpots/dashpot.h"
 
-#include <span>
 #include "sim/model/portable_math.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -117,7 +116,8 @@ HWY_INLINE void decay_half_row(const Springs<Dimensions>& springs, Index first) 
 }
 
 template <SweepDirection sweep, int Dimensions>
-void decay_all(const Plan& plan, std::span<const SpringRun> runs, const double* decay, const double* x, double* v) {
+void decay_all(const Plan& plan, const double* decay, const double* x, double* v) {
+  const std::vector<SpringRun>& runs = plan.spring.runs;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const Springs<Dimensions> springs(plan, runs[sweep == SweepDirection::Forward ? r : runs.size() - 1 - r], decay, x, v);
     if (springs.count == 1) {
@@ -131,17 +131,12 @@ void decay_all(const Plan& plan, std::span<const SpringRun> runs, const double* 
   }
 }
 
-void forward_2d(const Plan& plan, std::span<const SpringRun> runs, const double* decay, const double* x, double* v) {
-  decay_all<SweepDirection::Forward, 2>(plan, runs, decay, x, v);
-}
-void forward_3d(const Plan& plan, std::span<const SpringRun> runs, const double* decay, const double* x, double* v) {
-  decay_all<SweepDirection::Forward, 3>(plan, runs, decay, x, v);
-}
-void backward_2d(const Plan& plan, std::span<const SpringRun> runs, const double* decay, const double* x, double* v) {
-  decay_all<SweepDirection::Backward, 2>(plan, runs, decay, x, v);
-}
-void backward_3d(const Plan& plan, std::span<const SpringRun> runs, const double* decay, const double* x, double* v) {
-  decay_all<SweepDirection::Backward, 3>(plan, runs, decay, x, v);
+void decay_springs(const Plan& plan, const double* decay, SweepDirection sweep, const double* x, double* v) {
+  using enum SweepDirection;
+  if (plan.dimensions == 2)
+    sweep == Forward ? decay_all<Forward, 2>(plan, decay, x, v) : decay_all<Backward, 2>(plan, decay, x, v);
+  else
+    sweep == Forward ? decay_all<Forward, 3>(plan, decay, x, v) : decay_all<Backward, 3>(plan, decay, x, v);
 }
 
 }  // namespace hooke::HWY_NAMESPACE
@@ -152,19 +147,10 @@ HWY_AFTER_NAMESPACE();
 
 namespace hooke {
 
-HWY_EXPORT(forward_2d);
-HWY_EXPORT(forward_3d);
-HWY_EXPORT(backward_2d);
-HWY_EXPORT(backward_3d);
+HWY_EXPORT(decay_springs);
 
-void decay_dashpots(const Plan& plan, std::span<const SpringRun> runs, const std::vector<double>& decay, SweepDirection sweep,
-                    const Field& x, Field& v) {
-  if (plan.dimensions == 2)
-    sweep == SweepDirection::Forward ? HWY_DYNAMIC_DISPATCH(forward_2d)(plan, runs, decay.data(), x.data(), v.data())
-                                     : HWY_DYNAMIC_DISPATCH(backward_2d)(plan, runs, decay.data(), x.data(), v.data());
-  else
-    sweep == SweepDirection::Forward ? HWY_DYNAMIC_DISPATCH(forward_3d)(plan, runs, decay.data(), x.data(), v.data())
-                                     : HWY_DYNAMIC_DISPATCH(backward_3d)(plan, runs, decay.data(), x.data(), v.data());
+void decay_dashpots(const Plan& plan, const std::vector<double>& decay, SweepDirection sweep, const Field& x, Field& v) {
+  HWY_DYNAMIC_DISPATCH(decay_springs)(plan, decay.data(), sweep, x.data(), v.data());
 }
 
 void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& decay) {

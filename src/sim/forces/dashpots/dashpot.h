@@ -4,8 +4,6 @@
 // conserves momentum and is stable for any d. The same bits on every machine.
 #pragma once
 
-#include <span>
-
 #include "sim/forces/constants.h"
 #include "sim/plan/plan.h"
 
@@ -14,10 +12,8 @@ namespace hooke {
 // One spring after another in the order of the runs, or in exactly the reverse order.
 enum class SweepDirection { Forward, Backward };
 
-// Changes v by the dashpots of springs in `runs` of the Plan or parts of them. `decay` comes from plan_dashpot_decay. Springs between
-// coincident points do nothing.
-void decay_dashpots(const Plan& plan, std::span<const SpringRun> runs, const std::vector<double>& decay, SweepDirection sweep,
-                    const Field& x, Field& v);
+// Changes v by the dashpots of all springs. `decay` comes from plan_dashpot_decay. Springs between coincident points do nothing.
+void decay_dashpots(const Plan& plan, const std::vector<double>& decay, SweepDirection sweep, const Field& x, Field& v);
 
 // The impulse per relative speed of each packed spring over `duration` [s]:
 // (1 - exp(-d duration (1/mi + 1/mj))) / (1/mi + 1/mj) [kg]; 0 between two nails. One more at the end, so that the

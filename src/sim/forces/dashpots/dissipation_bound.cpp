@@ -29,8 +29,7 @@ bool may_break(const System& system) {
   return std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.break_length_of(spring) != never_breaks; });
 }
 
-}  // namespace
-
+// [W], of the dashpot of a spring.
 double dashpot_power(const System& system, const State& state, const Spring& spring) {
   const double damping = system.damping_of(spring);
   if (damping == 0.0) return 0.0;
@@ -41,6 +40,8 @@ double dashpot_power(const System& system, const State& state, const Spring& spr
   const double speed = glm::dot(state.velocity[j] - state.velocity[i], along) / length;
   return damping * speed * speed;
 }
+
+}  // namespace
 
 bool DissipationBound::is_divided(const System& system) {
   const SpringId last = system.spring_count() > 0 ? system.springs()[system.spring_count() - 1].id : SpringId{};

@@ -8,9 +8,6 @@
 
 namespace hooke {
 
-// [W], of the dashpot of a spring.
-double dashpot_power(const System& system, const State& state, const Spring& spring);
-
 // Parts of the scene that no spring connects, except through nails, exchange no energy as long as nothing touches and nothing but springs
 // and gravity acts: each dissipates at most what it loses, and only at the rate of its own dashpots. So the dashpots of a part at rest do
 // not explain the loss of another one. In all other frames, and in a scene of one part, the bound is that for the fastest dashpot of the

@@ -1,7 +1,7 @@
 #include "sim/forces/energy/plan_energy.h"
 
 #include <algorithm>
-#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
@@ -10,20 +10,14 @@
 namespace hooke {
 
 double stored_energy(const Plan& plan, double time, const Field& x) {
-  double energy = law_energy(plan, time, x);
+  double energy = 0.0;
   for (int c = 0; c < plan.dimensions; ++c)
     for (Index i = 0; i < plan.points; ++i)
       if (plan.inverse_mass[i] != 0.0) energy -= plan.mass[i] * plan.gravity[c] * x[static_cast<std::size_t>(c) * plan.points + i];
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      double length_squared = 0.0;
-      for (int c = 0; c < plan.dimensions; ++c) {
-        const double* at = x.data() + static_cast<std::size_t>(c) * plan.points;
-        const double difference = at[run.second + e] - at[run.first + e];
-        length_squared += difference * difference;
-      }
-      const double stretch = std::sqrt(length_squared) - plan.spring.rest_length[run.begin + e];
-      energy += 0.5 * plan.spring.stiffness[run.begin + e] * stretch * stretch;
+      const double length = glm::length(difference_at(plan, x, run.first + e, run.second + e));
+      energy += response_of(plan, run.begin + e, time, length).of.energy;
     }
   return energy;
 }
@@ -48,18 +42,14 @@ double mechanical_energy(const Plan& plan, double time, const Motion& motion) {
 }
 
 double dashpot_power(const Plan& plan, double time, const Field& x, const Field& v) {
-  double power = law_dashpot_power(plan, time, x, v);
+  double power = 0.0;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      const double damping = plan.spring.damping[run.begin + e];
-      if (damping == 0.0) continue;
-      double length_squared = 0.0, product = 0.0;
-      for (int c = 0; c < plan.dimensions; ++c) {
-        const std::size_t at = static_cast<std::size_t>(c) * plan.points, i = at + run.first + e, j = at + run.second + e;
-        length_squared += (x[j] - x[i]) * (x[j] - x[i]);
-        product += (x[j] - x[i]) * (v[j] - v[i]);
-      }
-      if (length_squared > 0.0) power += damping * product * product / length_squared;
+      const Vec3 along = difference_at(plan, x, run.first + e, run.second + e);
+      const double length = glm::length(along), damping = response_of(plan, run.begin + e, time, length).damping;
+      if (damping == 0.0 || length == 0.0) continue;
+      const double speed = glm::dot(along, difference_at(plan, v, run.first + e, run.second + e)) / length;
+      power += damping * speed * speed;
     }
   return power;
 }

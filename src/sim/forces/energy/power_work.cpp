@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "sim/forces/constants.h"
 #include "sim/forces/energy/plan_energy.h"
-#include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
 #include "sim/forces/spring_laws.h"
 #include "sim/model/portable_math.h"
@@ -61,14 +61,9 @@ struct Separation {
   double length, speed;  // [m], [m/s]
 };
 Separation separation(const Plan& plan, const Place& place, Index first, Index second) {
-  double length_squared = 0.0, product = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t at = static_cast<std::size_t>(c) * plan.points, i = at + first, j = at + second;
-    length_squared += (place.x[j] - place.x[i]) * (place.x[j] - place.x[i]);
-    product += (place.x[j] - place.x[i]) * (place.v[j] - place.v[i]);
-  }
-  const double length = std::sqrt(length_squared);
-  return {length, length == 0.0 ? 0.0 : product / length};
+  const Vec3 along = difference_at(plan, place.x, first, second);
+  const double length = glm::length(along);
+  return {length, length == 0.0 ? 0.0 : glm::dot(along, difference_at(plan, place.v, first, second)) / length};
 }
 
 // [J], of the impulses -d (l1 - l0) that dashpots exert in a step between these places: at the mean of the speeds before and after it.
@@ -85,7 +80,7 @@ double dashpot_work(const Plan& plan, double time, const Place& start, const Pla
 
 // [J], of the same impulses, along the way on which contact then leads the points to `end`.
 double dashpot_work_after(const Plan& plan, double time, double h, const Field& start, const Field& free, const Field& end) {
-  const auto length = [&](const Field& x, Index first, Index second) { return separation(plan, {x, x}, first, second).length; };
+  const auto length = [&](const Field& x, Index first, Index second) { return glm::length(difference_at(plan, x, first, second)); };
   double work = 0.0;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
@@ -183,7 +178,11 @@ void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
   const auto is_resolved = [&](EnergyCause cause) { return rate_of(plan, cause) * h <= max_resolved_rate; };
   EnergyLedger middle;
   if (std::ranges::any_of(by_power, is_resolved)) {
-    set_cubic_middle({x_.data(), v_.data(), motion.x.data(), motion.v.data()}, h, middle_x_.data(), middle_v_.data(), x_.size());
+    // of the cubic between both ends
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      middle_x_[i] = 0.5 * (x_[i] + motion.x[i]) + 0.125 * h * (v_[i] - motion.v[i]);
+      middle_v_[i] = 1.5 / h * (motion.x[i] - x_[i]) - 0.25 * (v_[i] + motion.v[i]);
+    }
     middle = power(plan, time_ + 0.5 * h, middle_x_, middle_v_);
   }
   const auto is_by_simpson = [&](EnergyCause cause) { return is_resolved(cause) && is_smooth(start[cause], middle[cause], power_[cause]); };

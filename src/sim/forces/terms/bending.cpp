@@ -221,12 +221,8 @@ class HingeAngles : public HingeGradients {
 // The force of the hinges of a face under `scale` times their moments.
 void add_moments(const Plan& plan, const HingedFace& face, const HingeGradients& hinges, const std::array<double, 3>& moment, double scale,
                  double* f) {
-  const std::size_t n = plan.points;
-  for (int a = 0; a < 6; ++a) {
-    Vec3 force(0.0);
-    for (int i = 0; i < 3; ++i) force += moment[i] * hinges.gradient(i, a);
-    for (int c = 0; c < 3; ++c) f[static_cast<std::size_t>(c) * n + static_cast<std::size_t>(face.points[a])] -= scale * force[c];
-  }
+  for (int a = 0; a < 6; ++a)
+    for (int i = 0; i < 3; ++i) add_vector(plan, f, face.points[a], -scale * moment[i] * hinges.gradient(i, a));
 }
 
 void add_damping(const Plan& plan, double damping, const double* x, const double* v, double* f) {
@@ -317,17 +313,17 @@ void add_tangent(const Plan& plan, const ForceValues& values, double, const doub
       std::array<double, 3> moment = angles.elastic_moments(face);
       for (double& each : moment) each *= stiffness;
       for_each_block(plan, face, angles, [&](int a, int b, Index entry, const glm::dmat3& block) {
-        tangent.add_hinge_stiffness(entry, stiffness * block, angles.curvature(face, moment, a, b));
-        if (damping > 0.0) tangent.add_hinge_damping(entry, damping * block);
+        tangent.hinges.add_stiffness(entry, stiffness * block, angles.curvature(face, moment, a, b));
+        if (damping > 0.0) tangent.hinges.add_damping(entry, damping * block);
       });
     }
     return;
   }
-  tangent.add_hinges(stiffness);
+  tangent.hinges.stiffness += stiffness;
   if (damping == 0.0) return;
   for (const HingedFace& face : plan.force_data.hinges.faces)
     for_each_block(plan, face, HingeRates(plan, face, x),
-                   [&](int, int, Index entry, const glm::dmat3& block) { tangent.add_hinge_damping(entry, damping * block); });
+                   [&](int, int, Index entry, const glm::dmat3& block) { tangent.hinges.add_damping(entry, damping * block); });
 }
 
 double power_of(const Plan& plan, const HingedFace& face, const HingeGradients& hinges, const double* v) {

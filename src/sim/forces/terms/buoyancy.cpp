@@ -11,11 +11,7 @@ namespace {
 constexpr ForceParameter numbers[] = {{"lift", "Lift", "of the weight", 0.0, 2.0, 0.5}};
 
 void add(const Plan& plan, const ForceValues& values, double, const double*, const double*, double* f) {
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const double lift = -values[0] * plan.gravity[c];
-    double* component = f + static_cast<std::size_t>(c) * plan.points;
-    for (Index i = 0; i < plan.points; ++i) component[i] += plan.mass[i] * lift;
-  }
+  for (Index i = 0; i < plan.points; ++i) add_vector(plan, f, i, -values[0] * plan.mass[i] * plan.gravity);
 }
 
 ForceBound bound(const System& system, const Plan&, const ForceValues& values, double) {
@@ -25,10 +21,8 @@ ForceBound bound(const System& system, const Plan&, const ForceValues& values, d
 // U = b m g.x
 double potential(const Plan& plan, const ForceValues& values, double, const double* x) {
   double energy = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c)
-    for (Index i = 0; i < plan.points; ++i)
-      if (plan.inverse_mass[i] != 0.0)
-        energy += values[0] * plan.mass[i] * plan.gravity[c] * x[static_cast<std::size_t>(c) * plan.points + i];
+  for (Index i = 0; i < plan.points; ++i)
+    if (plan.inverse_mass[i] != 0.0) energy += values[0] * plan.mass[i] * glm::dot(plan.gravity, vector_at(plan, x, i));
   return energy;
 }
 
@@ -44,9 +38,7 @@ constinit const ForceTerm buoyancy_force{
     .is_continuous = true,
     .add = add,
     .bound = bound,
-    .add_tangent = nullptr,
     .potential = potential,
-    .power = nullptr,
 };
 
 }  // namespace hooke

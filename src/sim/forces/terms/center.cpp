@@ -55,19 +55,19 @@ struct Law {
 
 Law law_of(const ForceValues& values) { return {values[4], values[5], values[6] != 0.0}; }
 
+// In a flat scene at z = 0, as its points are.
+Vec3 center_in(int dimensions, const ForceValues& values) { return {values[0], values[1], dimensions == 3 ? values[2] : 0.0}; }
+
 // Position of point i relative to the center.
 Vec3 offset_from(const Plan& plan, const ForceValues& values, const double* x, Index i) {
-  Vec3 offset(0.0);
-  for (int c = 0; c < plan.dimensions; ++c) offset[c] = x[static_cast<std::size_t>(c) * plan.points + i] - values[c];
-  return offset;
+  return vector_at(plan, x, i) - center_in(plan.dimensions, values);
 }
 
 void add(const Plan& plan, const ForceValues& values, double, const double* x, const double*, double* f) {
   const Law law = law_of(values);
   for (Index i = 0; i < plan.points; ++i) {
     const Vec3 offset = offset_from(plan, values, x, i);
-    const double stiffness = plan.mass[i] * values[3] * law.over_distance(glm::length(offset));
-    for (int c = 0; c < plan.dimensions; ++c) f[static_cast<std::size_t>(c) * plan.points + i] -= stiffness * offset[c];
+    add_vector(plan, f, i, -plan.mass[i] * values[3] * law.over_distance(glm::length(offset)) * offset);
   }
 }
 
@@ -106,11 +106,8 @@ void add_tangent(const Plan& plan, const ForceValues& values, double, const doub
   }
 }
 
-// In a flat scene at z = 0, as its points are.
-Vec3 center_in(const System& system, const ForceValues& values) { return {values[0], values[1], system.dimensions == 3 ? values[2] : 0.0}; }
-
 double potential_at(const System& system, const ForceValues& values, const Vec3& place) {
-  return values[3] * law_of(values).potential(glm::distance(place, center_in(system, values)));
+  return values[3] * law_of(values).potential(glm::distance(place, center_in(system.dimensions, values)));
 }
 
 double potential(const Plan& plan, const ForceValues& values, double, const double* x) {
@@ -126,7 +123,7 @@ double potential(const Plan& plan, const ForceValues& values, double, const doub
 Passage passage(const ForceValues& values, const PassingPoint& point) {
   const Law law = law_of(values);
   if (law.power <= -1.0) return {};
-  const Vec3 center = center_in(point.system, values), offset = point.position - center;
+  const Vec3 center = center_in(point.system.dimensions, values), offset = point.position - center;
   const double r = glm::length(offset), strength = values[3];
   const double far = 0.5 * glm::dot(point.velocity, point.velocity) + point.elastic + point.gravity * r;
   const double kinetic = far + point.supplied_by_others(center);
@@ -172,7 +169,6 @@ constinit const ForceTerm center_force{
     .bound = bound,
     .add_tangent = add_tangent,
     .potential = potential,
-    .power = nullptr,
     .cost = [](const Plan&, const ForceValues& values) { return cost_of_power_law(values[4], 1.0); },
     .potential_at = potential_at,
     .passage = passage,

@@ -1,5 +1,7 @@
 // a = -(p X + q V) / M, the same for every point: X the center of mass of the points that are not nailed relative to a target, V its
 // velocity, M their mass.
+#include <glm/geometric.hpp>
+
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan/plan.h"
@@ -25,22 +27,23 @@ double total_mass(const Plan& plan) {
   return mass;
 }
 
-// Mean of one component of a field, weighted by mass.
-double mean(const Plan& plan, const double* component, double mass) {
-  double sum = 0.0;
-  for (Index i = 0; i < plan.points; ++i) sum += counted_mass(plan, i) * component[i];
+// Mean of a field, weighted by mass.
+Vec3 mean(const Plan& plan, const double* field, double mass) {
+  Vec3 sum(0.0);
+  for (Index i = 0; i < plan.points; ++i) sum += counted_mass(plan, i) * vector_at(plan, field, i);
   return sum / mass;
+}
+
+// X
+Vec3 offset_of(const Plan& plan, const ForceValues& values, const double* x, double mass) {
+  return mean(plan, x, mass) - Vec3(values[0], values[1], plan.dimensions == 3 ? values[2] : 0.0);
 }
 
 void add(const Plan& plan, const ForceValues& values, double, const double* x, const double* v, double* f) {
   const double mass = total_mass(plan);
   if (mass == 0.0) return;
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
-    const double place = mean(plan, x + begin, mass), speed = mean(plan, v + begin, mass);
-    const double acceleration = -(values[3] * (place - values[c]) + values[4] * speed) / mass;
-    for (Index i = 0; i < plan.points; ++i) f[begin + i] += counted_mass(plan, i) * acceleration;
-  }
+  const Vec3 acceleration = -(values[3] * offset_of(plan, values, x, mass) + values[4] * mean(plan, v, mass)) / mass;
+  for (Index i = 0; i < plan.points; ++i) add_vector(plan, f, i, counted_mass(plan, i) * acceleration);
 }
 
 // M^-1/2 (df/dx) M^-1/2 = -p / M^2 w w^T, w_i = sqrt(m_i) for the free points and 0 for others
@@ -59,26 +62,17 @@ void add_tangent(const Plan& plan, const ForceValues& values, double, const doub
 double potential(const Plan& plan, const ForceValues& values, double, const double* x) {
   const double mass = total_mass(plan);
   if (mass == 0.0) return 0.0;
-  double energy = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const double offset = mean(plan, x + static_cast<std::size_t>(c) * plan.points, mass) - values[c];
-    energy += 0.5 * values[3] * offset * offset;
-  }
-  return energy;
+  const Vec3 offset = offset_of(plan, values, x, mass);
+  return 0.5 * values[3] * glm::dot(offset, offset);
 }
 
 double power(const Plan& plan, const ForceValues& values, double, const double*, const double* v) {
   const double mass = total_mass(plan);
   if (mass == 0.0) return 0.0;
-  double sum = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const double* component = v + static_cast<std::size_t>(c) * plan.points;
-    double free_momentum = 0.0;
-    for (Index i = 0; i < plan.points; ++i)
-      if (plan.inverse_mass[i] != 0.0) free_momentum += plan.mass[i] * component[i];
-    sum += mean(plan, component, mass) * free_momentum / mass;
-  }
-  return -values[4] * sum;
+  Vec3 free_momentum(0.0);
+  for (Index i = 0; i < plan.points; ++i)
+    if (plan.inverse_mass[i] != 0.0) free_momentum += plan.mass[i] * vector_at(plan, v, i);
+  return -values[4] * glm::dot(mean(plan, v, mass), free_momentum) / mass;
 }
 
 }  // namespace

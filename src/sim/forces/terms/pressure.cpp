@@ -174,7 +174,6 @@ constinit const ForceTerm pressure_force{
     .bound = bound,
     .add_tangent = add_tangent,
     .potential = potential,
-    .power = nullptr,
     .depends_on_time = [](const ForceValues& values) { return values[3] > 0.0; },
     .cost = [](const Plan&, const ForceValues&) { return ForceCost{.evaluation = 5.0, .energy = 9.0, .of_faces = true}; },
     .prepare = [](const System& system, Plan& plan) { plan.force_data.enclosures = plan_enclosures(system); },

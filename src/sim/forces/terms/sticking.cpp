@@ -11,13 +11,7 @@ namespace hooke {
 namespace {
 
 double along(const Plan& plan, const Vec3& normal, const double* field, Index point) {
-  double sum = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c) sum += normal[c] * field[static_cast<std::size_t>(c) * plan.points + point];
-  return sum;
-}
-
-void add_along(const Plan& plan, const Vec3& normal, double length, Index point, Field& field) {
-  for (int c = 0; c < plan.dimensions; ++c) field[static_cast<std::size_t>(c) * plan.points + point] += length * normal[c];
+  return glm::dot(normal, vector_at(plan, field, point));
 }
 
 double height_of(const Plan& plan, const StickyContact& contact, double time) {
@@ -57,9 +51,9 @@ void keep_on_planes(const Plan& plan, double time, Motion& motion) {
     const double speed = speed_of_plane(plan, contact, time), relative = along(plan, normal, motion.v.data(), contact.point) - speed;
     const double distance =
         along(plan, normal, motion.x.data(), contact.point) - height_of(plan, contact, time) - plan.radius[contact.point];
-    if (distance > 0.0) add_along(plan, normal, -distance, contact.point, motion.x);
+    if (distance > 0.0) add_vector(plan, motion.x, contact.point, -distance * normal);
     if (relative > 0.0) {
-      add_along(plan, normal, -relative, contact.point, motion.v);
+      add_vector(plan, motion.v, contact.point, -relative * normal);
       motion.energy.add(EnergyCause::Contact, -0.5 * plan.mass[contact.point] * relative * relative);
       motion.energy.add(EnergyCause::Colliders, -plan.mass[contact.point] * relative * speed);
     }

@@ -13,12 +13,9 @@ constexpr ForceParameter numbers[] = {{"strength", "Stickiness", "N", 0.0, 1000.
 
 // What presses is left to contact, for its friction.
 void add(const Plan& plan, const ForceValues&, double time, const double*, const double*, double* f) {
-  const auto n = static_cast<std::size_t>(plan.points);
   for (const StickyContact& contact : plan.force_data.sticky.held) {
     const double pull = pull_on(plan, contact, time, f);
-    if (!(pull > 0.0)) continue;
-    const Vec3& normal = normal_of(plan, contact);
-    for (int c = 0; c < plan.dimensions; ++c) f[c * n + static_cast<std::size_t>(contact.point)] -= pull * normal[c];
+    if (pull > 0.0) add_vector(plan, f, contact.point, -pull * normal_of(plan, contact));
   }
 }
 
@@ -44,9 +41,6 @@ constinit const ForceTerm sticky_force{
     .is_continuous = false,
     .add = add,
     .bound = bound,
-    .add_tangent = nullptr,
-    .potential = nullptr,
-    .power = nullptr,
     .prepare = prepare,
 };
 

@@ -28,8 +28,7 @@ void for_each_distance(const Plan& plan, double time, const double* x, const Use
   const auto visit = [&](const Plane& plane, const Vec3& offset, double min_distance) {
     const double height = glm::dot(plane.normal, plane.point + offset);
     for (std::size_t i = 0; i < n; ++i) {
-      double distance = -height - plan.radius[i];
-      for (int c = 0; c < plan.dimensions; ++c) distance += plane.normal[c] * x[c * n + i];
+      const double distance = glm::dot(plane.normal, vector_at(plan, x, static_cast<Index>(i))) - height - plan.radius[i];
       if (distance >= min_distance) use(plane.normal, static_cast<Index>(i), distance);
     }
   };
@@ -43,7 +42,7 @@ void for_each_distance(const Plan& plan, double time, const double* x, const Use
 void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, double* f) {
   for_each_distance(plan, time, x, [&](const Vec3& normal, Index i, double distance) {
     const double push = plan.mass[i] * values[0] / portable::pow(std::max(distance, values[2]), values[1]);
-    for (int c = 0; c < plan.dimensions; ++c) f[static_cast<std::size_t>(c) * plan.points + i] += push * normal[c];
+    add_vector(plan, f, i, push * normal);
   });
 }
 
@@ -142,7 +141,6 @@ constinit const ForceTerm wall_force{
     .bound = bound,
     .add_tangent = add_tangent,
     .potential = potential,
-    .power = nullptr,
     .cost =
         [](const Plan& plan, const ForceValues& values) {
           return cost_of_power_law(values[1], static_cast<double>(plan.colliders.size() + plan.one_way.size()));

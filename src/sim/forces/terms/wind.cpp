@@ -46,10 +46,6 @@ double smooth_noise(double t, double seed) {
   return (1.0 - blend) * random_at(place, seed) + blend * random_at(place + 1, seed);
 }
 
-void add_to(const Plan& plan, double* f, std::size_t i, const Vec3& force) {
-  for (int c = 0; c < plan.dimensions; ++c) f[static_cast<std::size_t>(c) * plan.points + i] += force[c];
-}
-
 Vec3 wind_at(const Plan& plan, const ForceValues& values, double time) {
   const double gust = 1.0 + values[5] * smooth_noise(time / values[6], values[7]);
   return gust * Vec3(values[0], values[1], plan.dimensions == 3 ? values[2] : 0.0);
@@ -136,9 +132,9 @@ void add(const Plan& plan, const ForceValues& values, double time, const double*
   for_each_force(
       plan, values, time, x, v, [&](const Wind& wind, const PanelRow& row) { compute_wind_on_cells(plan, wind, row, x, v, f, nullptr); },
       [&](const Panel<Index>& panel, const Vec3& force) {
-        for (const Index corner : corners_of(panel)) add_to(plan, f, corner, force);
+        for (const Index corner : corners_of(panel)) add_vector(plan, f, corner, force);
       },
-      [&](Index i, const Vec3& force) { add_to(plan, f, i, force); });
+      [&](Index i, const Vec3& force) { add_vector(plan, f, i, force); });
 }
 
 // Of the forces on the held point, which the hand moves.
@@ -159,12 +155,12 @@ double add_with_power(const Plan& plan, const ForceValues& values, double time, 
       [&](const Panel<Index>& panel, const Vec3& force) {
         for (const Index corner : corners_of(panel)) {
           sum += glm::dot(force, vector_at(plan, v, corner));
-          if (f != nullptr) add_to(plan, f, corner, force);
+          if (f != nullptr) add_vector(plan, f, corner, force);
         }
       },
       [&](Index i, const Vec3& force) {
         if (plan.hand.held != i) sum += glm::dot(force, vector_at(plan, v, i));
-        if (f != nullptr) add_to(plan, f, i, force);
+        if (f != nullptr) add_vector(plan, f, i, force);
       });
   return sum + of_cells.sum() - (plan.hand.held ? power_on_held(plan, values, time, x, v) : 0.0);
 }
@@ -272,7 +268,6 @@ constinit const ForceTerm wind_force{
     .add = add,
     .bound = bound,
     .add_tangent = add_tangent,
-    .potential = nullptr,
     .power = power,
     .add_with_power = add_with_power,
     .cost = cost,

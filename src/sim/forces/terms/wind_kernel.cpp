@@ -151,19 +151,6 @@ void compute_on_cells(const Plan& plan, const Wind& air, Index i, Index j, Index
     for (Index cell = 0; cell < cells; ++cell) power[cell] += row.power[cell];
 }
 
-// How many cells in a row have the first one's corners, all one larger in each than in the one before; up to `max`.
-Index count_same_cells(const Index* corners, Index max) {
-  constexpr Index corners_of_cell = 4;
-  const hn::ScalableTag<Index> d;
-  const Index lanes = static_cast<Index>(hn::Lanes(d)), end = corners_of_cell * (max - 1);
-  const auto one = hn::Set(d, 1);
-  Index at = 0;
-  for (; at + lanes <= end; at += lanes)
-    if (!hn::AllTrue(d, hn::Eq(hn::Sub(hn::LoadU(d, corners + at + corners_of_cell), hn::LoadU(d, corners + at)), one))) break;
-  while (at < end && corners[at + corners_of_cell] == corners[at] + 1) ++at;
-  return 1 + at / corners_of_cell;
-}
-
 }  // namespace hooke::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -173,7 +160,6 @@ HWY_AFTER_NAMESPACE();
 namespace hooke {
 
 HWY_EXPORT(compute_on_cells);
-HWY_EXPORT(count_same_cells);
 
 namespace {
 
@@ -186,7 +172,11 @@ Index count_cells(const std::vector<Panel<Index>>& panels, Index first) {
   // the points of both rows are different ones
   const Index max = std::min({max_cells_at_once, end - first, std::max(i, j) - std::min(i, j) - 1});
   if (next_i != i + 1 || next_j != j + 1 || max < min_face_cells) return 0;
-  const Index cells = HWY_DYNAMIC_DISPATCH(count_same_cells)(panel.data(), max);
+  const auto follows = [&](Index cell) {
+    return std::ranges::equal(panels[first + cell], panel, {}, {}, [cell](Index point) { return point + cell; });
+  };
+  Index cells = 1;
+  while (cells < max && follows(cells)) ++cells;
   return cells < min_face_cells ? 0 : cells;
 }
 

@@ -19,13 +19,6 @@ LinearSolver::LinearSolver(Index points, int dimensions, std::span<const std::pa
   permuted_.resize(static_cast<std::size_t>(points) * dimensions);
 }
 
-LinearSolver::Block LinearSolver::block(std::size_t index) {
-  Block block;
-  block.start_ = matrix_.data() + index * dimensions_ * dimensions_;
-  block.dimensions_ = dimensions_;
-  return block;
-}
-
 LinearSolver::Block LinearSolver::diagonal(Index point) { return block(first_block_[order_[point]] + before_[order_[point]].size()); }
 
 LinearSolver::Block LinearSolver::coupling(Index first, Index second) {

@@ -20,14 +20,10 @@ class LinearSolver {
 
   // A block of A: its entry (row, column) is column(column)[row], in a diagonal block for row <= column only.
   // Where blocks are symmetric, the order of a pair does not matter.
-  class Block {
-   public:
-    double* column(int c) const { return start_ + c * dimensions_; }
-
-   private:
-    friend class LinearSolver;
-    double* start_ = nullptr;
-    int dimensions_ = 0;
+  struct Block {
+    double* start = nullptr;
+    int dimensions = 0;
+    double* column(int c) const { return start + c * dimensions; }
   };
   Block diagonal(Index point);
   Block coupling(Index first, Index second);
@@ -42,7 +38,7 @@ class LinearSolver {
   void solve(Field& b);
 
  private:
-  Block block(std::size_t index);
+  Block block(std::size_t index) { return {matrix_.data() + index * dimensions_ * dimensions_, dimensions_}; }
   template <int Dimensions>
   void copy_to_factor();
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
@@ -36,12 +37,6 @@ void set_to_rest(const Plan& plan, const Field& V, Field& result) {
       const std::size_t at = static_cast<std::size_t>(c) * plan.points + i;
       result[at] = plan.inverse_mass[i] == 0.0 ? V[at] : 0.0;
     }
-}
-
-double dot(const Field& a, const Field& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
 }
 
 }  // namespace
@@ -83,29 +78,19 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
   // springs; dashpots along the directions at x_
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      const std::size_t i = run.first + e, j = run.second + e;
-      const Index s = run.begin + e;
-      double length_squared = 0.0, along = 0.0, direction_squared = 0.0;
-      for (int c = 0; c < plan.dimensions; ++c) {
-        const double difference = x[c * n + i] - x[c * n + j];
-        length_squared += difference * difference;
-        if (!plan.has_dashpots()) continue;
-        const double direction = x_[c * n + i] - x_[c * n + j];
-        direction_squared += direction * direction;
-        along += direction * (V[c * n + i] - V[c * n + j]);
-      }
-      add(response_of(plan, s, stage.time, std::sqrt(length_squared)).of.energy);
-      if (!plan.has_dashpots() || direction_squared == 0.0) continue;
-      const double damping = response_of(plan, s, stage.time, std::sqrt(direction_squared)).damping;
-      add(0.5 * stage.b * damping * along * along / direction_squared);
+      const Index i = run.first + e, j = run.second + e, s = run.begin + e;
+      add(response_of(plan, s, stage.time, glm::length(difference_at(plan, x, i, j))).of.energy);
+      if (!plan.has_dashpots()) continue;
+      const Vec3 direction = difference_at(plan, x_, i, j);
+      const double length = glm::length(direction);
+      if (length == 0.0) continue;
+      const double speed = glm::dot(direction, difference_at(plan, V, i, j)) / length;
+      add(0.5 * stage.b * response_of(plan, s, stage.time, length).damping * speed * speed);
     }
 
   if (plan.hand.pull) {
-    const Vec3 target = plan.hand.pull->target_at(stage.time);
-    for (int c = 0; c < plan.dimensions; ++c) {
-      const double stretch = plan.hand.pull->interpolate(&x[c * n]) - target[c];
-      add(0.5 * plan.hand.pull->stiffness * stretch * stretch);
-    }
+    const Vec3 stretch = pull_stretch(plan, x, stage.time);
+    add(0.5 * plan.hand.pull->stiffness * glm::dot(stretch, stretch));
   }
   return sum;
 }

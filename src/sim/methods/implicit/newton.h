@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/forces/motion.h"
+#include "sim/methods/constants.h"
 #include "sim/methods/implicit/stiffness.h"
 
 namespace hooke {
@@ -19,8 +20,8 @@ struct Stage {
 // Termination of a solve.
 struct NewtonLimits {
   double tolerance = 1e-12;  // [1], error of V relative to V - v; round-off is always accepted
-  int iterations = 100;
-  int factorizations = 20;  // approximately; further iterations reuse the last matrix
+  int iterations = max_newton_iterations;
+  int factorizations = max_newton_factorizations;
 };
 
 class NewtonSolver : public Structure {

@@ -7,26 +7,23 @@
 // matrix, without an eigensolver.
 #pragma once
 
-#include <array>
-#include <glm/mat3x3.hpp>
 #include <vector>
 
 #include "sim/forces/force_tangent.h"
+#include "sim/forces/spring_tangents.h"
 #include "sim/methods/implicit/linear_solver.h"
 
 namespace hooke {
 
-enum class Curvature { Exact, Clamped };
-
 // The positions of the springs' blocks in a solver's matrix, found once per topology. The hand's pull between three points,
-// forces on the center of mass and the pressure in a volume couple points that no spring joins. Each is of the form w s_i s_j I, and is not
-// part of the pattern but an update of rank 3 to what was factored:
-//   A = B + w S S^T,  S = s I,   A^-1 r = y - Z G S^T y,   B y = r,  B Z = S,  G = w (I + w S^T Z)^-1
+// forces on the center of mass and the pressure in a volume couple points that no spring joins. They are not part of the pattern but
+// updates of rank 1, the first two one for each component, to what was factored:
+//   A = B + w s s^T,   A^-1 r = y - z w / (1 + w s.z) s.y,   B y = r,  B z = s
 // (J. Sherman, W. J. Morrison 1950, M. A. Woodbury 1950); with several, one after another.
 class StiffnessMatrix {
  public:
   explicit StiffnessMatrix(const Plan& plan);
-  // Once per frame, before its first assemble: a step never allocates.
+  // Once per frame, before its first assemble: a step never allocates. Without it there are no updates.
   void allocate(const Plan& plan);
 
   // Takes the derivatives of the listed forces at x and v into the next assemble; until the next allocate. The rest lengths of springs
@@ -45,8 +42,9 @@ class StiffnessMatrix {
  private:
   void add_hinges(const Plan& plan, double b, Curvature curvature);
   void add_volume_curvature(const Plan& plan, double b);
-  template <int Dimensions>
-  void add_springs(const Plan& plan, double b, const double* x, const double* v, Curvature curvature);
+  void add_springs(const Plan& plan, double b, const Field& x, const Field& v, Curvature curvature);
+  void set_updates(const Plan& plan, double b);
+  void apply_updates(std::size_t count, Field& r) const;
 
   LinearSolver solver_;
   std::vector<LinearSolver::Block> diagonal_;  // of the points
@@ -55,27 +53,13 @@ class StiffnessMatrix {
   std::vector<LinearSolver::Block> enclosure_edges_;
 
   struct Update {
-    std::vector<PlannedPull::Part> parts;  // s; zero for points that do not move freely
-    double weight = 0.0;                   // w
-    std::array<Field, 3> response;         // Z, a field per component
-    glm::dmat3 gain{1.0};                  // G
-    glm::dvec3 project(const double* field, std::size_t points, int dimensions) const;
+    double weight = 0.0;     // w; 0: there is none
+    Field vector, response;  // s, z
+    double gain = 0.0;       // w / (1 + w s.z)
   };
-  void apply(const Update& update, Field& b) const;
-
-  // The update w g g^T of rank 1 for the volume of an enclosure: A^-1 r = y - z w / (1 + w g.z) g.y, B z = g.
-  struct VolumeUpdate {
-    double weight = 0.0;       // w
-    Field gradient, response;  // g, zero for points that do not move freely; z
-    double gain = 0.0;         // w / (1 + w g.z)
-  };
-  static void apply(const VolumeUpdate& update, Field& b);
-
-  int dimensions_;
   double time_ = 0.0;            // [s]
-  std::vector<Update> updates_;  // of the pull between points, and of forces on the center of mass
-  std::vector<VolumeUpdate> volume_updates_;
-  bool has_pull_update_ = false, has_forces_ = false, is_linearized_ = false;
+  std::vector<Update> updates_;  // of the pull between points, of forces on the center of mass, and of the volumes
+  bool is_linearized_ = false;
   ForceTangent tangent_;
 };
 

@@ -1,4 +1,4 @@
-#include "sim/plan/numbering/spring_runs.h"
+#include "sim/plan/spring_runs.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,18 +25,12 @@ void sort_by(std::vector<Ends>& ends, Index limit, const Key& key) {
 
 }  // namespace
 
-std::vector<EdgeEnds> spring_ends(const System& system) {
-  std::vector<EdgeEnds> ends;
-  ends.reserve(system.springs().size());
-  for (const Spring& spring : system.springs()) ends.push_back({system.index_of(spring.first), system.index_of(spring.second)});
-  return ends;
-}
-
-void find_runs(std::span<const EdgeEnds> springs, std::vector<SpringRun>& runs, std::vector<Index>& spring_index) {
+void find_runs(const System& system, std::vector<SpringRun>& runs, std::vector<Index>& spring_index) {
   std::vector<Ends> ends;
-  ends.reserve(springs.size());
+  ends.reserve(system.springs().size());
   Index points = 0;
-  for (const auto& [i, j] : springs) {
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
     ends.push_back({std::min(i, j), std::max(i, j), static_cast<Index>(ends.size())});
     points = std::max(points, ends.back().second + 1);
   }
