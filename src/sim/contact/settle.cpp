@@ -26,7 +26,7 @@ double relax(Touch& touch, std::span<const PointPath> paths, std::span<Vec3> v) 
   const double normal_impulse = std::max(0.0, before.normal + (touch.min_velocity - normal_velocity) / weight);
   if (normal_impulse == 0.0 && before.normal == 0.0) return 0.0;
   const Vec3 slip = velocity - normal_velocity * touch.normal;
-  apply(touch, change_impulse(touch.impulse, normal_impulse, touch.normal, touch.friction, slip, weight), paths, v);
+  apply(touch, change_impulse(touch.impulse, normal_impulse, touch.normal, touch.friction, slip, 1.0 / weight), paths, v);
   return weight * std::max(std::abs(normal_impulse - before.normal), glm::length(touch.impulse.friction - before.friction));
 }
 

@@ -330,7 +330,7 @@ void TouchSimulation::respond(Touch& touch) {
   const double normal_impulse = (approach + std::max(restitution * approach, hop)) / weight;
   const Vec3 slip = tangential(normal, path.v - relative_surface_velocity(touch, normal, path.x));
   ContactImpulse none;
-  const Vec3 impulse = change_impulse(none, normal_impulse, normal, touch.friction, slip, weight);
+  const Vec3 impulse = change_impulse(none, normal_impulse, normal, touch.friction, slip, 1.0 / weight);
 
   // without a rebound, the corrections of the method's path must not separate them either
   Vec3 correction(0.0);

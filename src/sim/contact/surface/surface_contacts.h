@@ -20,15 +20,14 @@ struct SurfaceContact {
   std::array<double, 4> weight{};
   Vec3 normal{0.0};                                              // from the second to the first
   double thickness = 0.0;                                        // [m], the distance at which they touch
-  double gap = 0.0;                                              // [m], at the start, distance less thickness
-  double response = 0.0;                                         // [1/kg], relative velocity per impulse
+  double mass = 0.0;                                             // [kg], impulse per relative velocity
   double target = 0.0;                                           // [m/s], the minimum relative velocity along the normal
-  double max_push = 0.0;                                         // [N s], the maximum impulse that separates what does not approach
+  double max_push = std::numeric_limits<double>::infinity();     // [N s], the maximum impulse that separates what does not approach
   double max_impulse = std::numeric_limits<double>::infinity();  // [N s]
-  double rebound = 0.0;                                          // [m/s], the relative velocity after an impact; 0: there is none
   ContactImpulse impulse;                                        // so far in the substep
-  ContactImpulse path_impulse;                                   // the part of it that acts on the path
-  Index pair = no_index;                                         // of the detection; no_index: of two points that touch each other
+  double gap = 0.0;                                              // [m], at the start, distance less thickness
+  Index pair = 0;                                                // of the detection
+  Index last = no_index;                                         // in the memory of the last substep
   FeaturePair kind = FeaturePair::PointFace;
 };
 
@@ -71,11 +70,17 @@ class SurfaceContacts {
   // Changes the velocities of the paths so that nothing gets closer than the thickness within the substep, and removes overlaps: starts
   // from the impulses of the last substep.
   void solve_paths(const Step& step, std::span<Vec3> u);
-  // Changes the velocities at the end: nothing that touches approaches, what has been pushed apart stops, and what had an impact rebounds.
-  // `u`: of the paths that result.
+  // Changes the velocities at the end: what has touched does not approach, what has been pushed apart stops, and what had an impact leaves
+  // with its target. `u`: of the paths that result.
   void solve_ends(const Step& step, std::span<const Vec3> u, std::span<Vec3> velocity);
 
-  std::vector<SurfaceContact> surface;
+  // For the next substep; solve_ends does so, too.
+  void remember(const Step& step);
+  // [N s], the sum of the normal impulses on this point by surfaces.
+  double impulses_on(Index point) const;
+
+  std::vector<SurfaceContact> surface;   // of the paths
+  std::vector<SurfaceContact> touching;  // those of them that exert impulses or may touch at the end, and then those at the end
   std::vector<ObstacleContact> obstacles;
   long impulses = 0;  // computed, since it was set
 
@@ -83,9 +88,10 @@ class SurfaceContacts {
   struct ContactImpulses {
     ContactImpulse path, end;
   };
+  // A contact of the last substep. Those of points come after all pairs of features.
   struct Memory {
     FeaturePair kind = FeaturePair::PointFace;
-    Index pair = no_index;
+    Index pair = 0;
     std::array<Index, 4> points{};
     ContactImpulses impulses;
   };
@@ -93,18 +99,17 @@ class SurfaceContacts {
     std::pair<Index, Index> key;  // point and obstacle
     ContactImpulses impulses;
   };
-  void add(const Step& step, SurfaceContact contact);
-  void remember(const Step& step);
+  void add(const Step& step, SurfaceContact& contact);
   void recall(const Step& step);
+  void recall_obstacles(double factor);
   void move(const Step& step, std::span<const Vec3> u);
-  void sweep(const Step& step, int count, std::span<Vec3> velocity);
+  void sweep(const Step& step, std::span<SurfaceContact> contacts, std::span<Vec3> velocity);
 
-  // contacts of the last substep that exerted impulses: of features, of points that touch each other, and with obstacles
-  std::vector<Memory> last_, last_points_;
+  std::vector<Memory> last_;  // those that exerted impulses
   std::vector<ObstacleMemory> last_obstacles_;
-  std::vector<ContactImpulse> end_;  // per contact, of the last substep: what solve_ends starts with
-  std::vector<ContactImpulse> obstacle_end_;
-  std::vector<Vec3> end_x_;  // [m], at the end of the paths
+  std::vector<ContactImpulse> path_impulses_;  // per contact that touches
+  std::vector<ContactImpulse> obstacle_end_;   // per contact with an obstacle, of the last substep: what solve_ends starts with
+  std::vector<Vec3> end_x_;                    // [m], at the end of the paths
   FeatureBlock block_;
   long list_ = 0, last_list_ = 0;  // SurfaceDetection::list_number
   double last_h_ = 0.0;            // [s]; 0: there are none

@@ -64,6 +64,7 @@ bool SurfaceDetection::update(const SurfacePlan& plan) {
   const double need = plan.max_thickness * (1.0 + contact::slack) + approach_ / contact::ccd_safety;
   if (need + travel_ > reach_ && !list_pairs(plan, need)) return false;
   near_.clear();
+  meeting_.clear();
   for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) wake(plan, kind, need);
   return true;
 }
@@ -118,17 +119,18 @@ void SurfaceDetection::measure(const SurfacePlan& plan, FeaturePair kind, std::s
     const double distance = block_.distance[i], radius = plan.radius_of(points);
     keys_[k][p] = distance - radius + travel_;
     if (!(distance - radius < need && distance >= coincident)) continue;
+    if (contact::ccd_safety * distance <= approach_) meeting_.push_back({kind, points, distance});
     const auto [first, second] = pairs_[k].features[p];
     const bool touches = kind == FeaturePair::TwoEdges ? block_.is_at_end[i] == 0.0 || (plan.is_spring[first] | plan.is_spring[second]) != 0
                                                        : plan.owns(first, block_.weight[1][i], block_.weight[2][i], block_.weight[3][i]);
+    if (!touches) continue;
     // in place: a copy would wait for all of its parts to be written
     Near& near = near_.emplace_back();
-    near.kind = kind;
-    near.touches = touches;
     near.points = points;
-    near.pair = p;
-    near.contact = radius + plan.thickness_of(points);
     near.closest = block_.closest(i);
+    near.contact = radius + plan.thickness_of(points);
+    near.pair = p;
+    near.kind = kind;
   }
 }
 

@@ -69,7 +69,7 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
   // pairs that are near, those of them that may touch, and what these may be pressed into
   has_failed_ = !detection_.find_near(plan.surface, x_, u_, h);
   motion.counts.contact_tests += detection_.tests();
-  if (has_failed_ || detection_.near().empty()) return false;
+  if (has_failed_) return false;
   const SurfaceContacts::Step step{
       .plan = plan.surface, .inverse_mass = inverse_mass_, .x = x_, .arm = arm_, .u = free_u_, .h = h, .held = held_};
   contacts_.impulses = 0;
@@ -78,8 +78,11 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
     for (const PointPair& pair : near)
       if (const Index i = local_[pair.i], j = local_[pair.j]; i != no_index && j != no_index)
         contacts_.add_points(step, i, j, touching_distance(plan, pair));
+  if (contacts_.surface.empty() && detection_.meeting().empty()) {
+    contacts_.remember(step);
+    return false;
+  }
   add_obstacles(plan, obstacles, h, motion);
-  find_rebounds(plan, v0, h, motion);
 
   // impulses on the paths, and impacts of what would meet nevertheless
   contacts_.solve_paths(step, u_);
@@ -90,6 +93,7 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
 
   // velocities at the end
   for (std::size_t k = 0; k < x_.size(); ++k) velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]) + (u_[k] - free_u_[k]);
+  find_rebounds(plan, v0, h, motion);
   contacts_.solve_ends(step, u_, velocity_);
   motion.counts.contact_impulses += contacts_.impulses;
   write(plan, v0, h, motion);
@@ -132,7 +136,7 @@ void SurfaceSolver::find_rebounds(const Plan& plan, const Field& v0, double h, c
   const double e = plan.surface.restitution;
   if (e == 0.0) return;
   const double slow = std::max(contact::rest_speed, 0.5 * (1.0 - e) / e);
-  for (SurfaceContact& contact : contacts_.surface) {
+  for (SurfaceContact& contact : contacts_.touching) {
     double path = 0.0, before = 0.0, after = 0.0, supplied = 0.0;  // [m/s], along the normal
     for (int c = 0; c < 4; ++c) {
       const Index k = contact.points[c], i = plan.surface.points[k];
@@ -144,7 +148,7 @@ void SurfaceSolver::find_rebounds(const Plan& plan, const Field& v0, double h, c
     }
     const double part = path < 0.0 ? std::clamp(-contact.gap / (h * path), 0.0, 1.0) : 1.0;
     const double ahead = velocity_lag_ * supplied, approach = -(before + part * (after - before) + ahead);
-    if (approach > slow * std::abs(supplied)) contact.rebound = e * approach - ahead;
+    if (approach > slow * std::abs(supplied)) contact.target = e * approach - ahead;
   }
 }
 
@@ -177,11 +181,7 @@ void SurfaceSolver::write(const Plan& plan, const Field& v0, double h, Motion& m
 SuppliedWork SurfaceSolver::supplied_work(const Plan& plan, const Motion& motion) const {
   SuppliedWork supplied;
   if (plan.hand.held) {
-    double impulses = impacts_.held_impulse();
-    for (const SurfaceContact& contact : contacts_.surface)
-      for (int c = 0; c < 4; ++c)
-        if (contact.points[c] == held_)
-          impulses += std::abs(contact.weight[c]) * (contact.path_impulse.normal + contact.impulse.normal) * (1.0 + plan.surface.friction);
+    const double impulses = impacts_.held_impulse() + contacts_.impulses_on(held_) * (1.0 + plan.surface.friction);
     supplied.by_hand = impulses * held_speed(plan, motion);
   }
   for (const ObstacleContact& contact : contacts_.obstacles)
