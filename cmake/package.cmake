@@ -8,14 +8,18 @@ include(cmake/releases.cmake)
 configure_file(${packaging}/${id}.metainfo.xml.in ${made}/${id}.metainfo.xml @ONLY)
 file(CONFIGURE OUTPUT ${made}/changelog CONTENT "${debian_changelog}\n" @ONLY)
 
+execute_process(COMMAND ${GZIP} -9nkf ${made}/changelog COMMAND_ERROR_IS_FATAL ANY)
+
+if(NOT HOOKE_LIBRARY_ONLY)
 # Compressed without timestamps, so that the same sources give the same package.
 add_custom_command(
-  OUTPUT ${made}/hooke.1.gz ${made}/hooke.bash ${made}/changelog.gz
+  OUTPUT ${made}/hooke.1.gz ${made}/hooke.bash ${made}/hooke.zsh ${made}/hooke.fish
   COMMAND make_manual man > ${made}/hooke.1
   COMMAND ${GZIP} -9nf ${made}/hooke.1
   COMMAND make_manual bash > ${made}/hooke.bash
-  COMMAND ${GZIP} -9nkf ${made}/changelog
-  DEPENDS make_manual ${made}/changelog
+  COMMAND make_manual zsh > ${made}/hooke.zsh
+  COMMAND make_manual fish > ${made}/hooke.fish
+  DEPENDS make_manual
   VERBATIM
 )
 add_custom_target(package_files ALL DEPENDS ${made}/hooke.1.gz)
@@ -24,12 +28,16 @@ install(FILES ${made}/hooke.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${made}/hooke.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME hooke-headless.1.gz)
 install(FILES ${made}/hooke.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME hooke)
 install(FILES ${made}/hooke.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME hooke-headless)
+install(FILES ${made}/hooke.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _hooke)
+install(FILES ${made}/hooke.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(FILES ${made}/hooke.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d RENAME hooke-headless.fish)
 install(FILES ${packaging}/${id}.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES ${packaging}/${id}.mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages RENAME ${id}.xml)
 install(FILES ${made}/${id}.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES ${packaging}/${id}.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES ${packaging}/copyright ${made}/changelog.gz ${PROJECT_SOURCE_DIR}/CHANGELOG.md
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hooke)
+endif()
 
 # Files of libhooke-dev: the package for find_package(hooke), and the one for pkg-config.
 include(CMakePackageConfigHelpers)
@@ -52,7 +60,10 @@ endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL hooke library development)
+set(CPACK_COMPONENTS_ALL library development)
+if(NOT HOOKE_LIBRARY_ONLY)
+  list(PREPEND CPACK_COMPONENTS_ALL hooke)
+endif()
 if(hooke_python_found)
   list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
@@ -65,6 +76,12 @@ file(CONFIGURE OUTPUT ${made}/shlibs CONTENT "libhooke 1 libhooke1 (>= ${PROJECT
 file(CONFIGURE OUTPUT ${made}/triggers CONTENT "activate-noawait ldconfig\n")
 install(FILES ${packaging}/libhooke1.lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT library RENAME libhooke1)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${made}/shlibs ${made}/triggers)
+# Compiled files of Python, as dh_python3 makes and removes them.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${made}/postinst ${made}/prerm)
+foreach(script IN ITEMS postinst prerm)
+  configure_file(${packaging}/python3-hooke.${script} ${made}/${script} COPYONLY)
+endforeach()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

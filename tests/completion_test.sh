@@ -22,6 +22,9 @@ expect mine.json hooke mi
 expect --integrator hooke run cloth --integ
 expect tr_bdf2 hooke run --integrator tr
 expect substeps= hooke-headless run --set substep
+expect damped_springs=off hooke run --set damped_springs=of
+expect single hooke run cloth --precision s
+expect mine.json hooke run cloth --csv mi
 expect sweep hooke sw
 expect substeps= hooke sweep rope --vary substep
 expect --measure hooke sweep rope --mea

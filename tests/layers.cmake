@@ -48,6 +48,7 @@ set(owners
   "^(chrono|ctime|random|thread|iostream|fstream|filesystem|unordered_map|unordered_set)$"  "^(base|formats|lab|study|draw|ui|app|batch|cli|python)/"
   "^cstdio$"                            "^(base|scene|formats|lab|study|draw|ui|app|batch|cli|python)/"
   "^(unistd|fcntl|dirent|poll|signal|spawn|dlfcn|link|sys/[a-z]+)[.]h$"  "^(base|formats|lab|study|app|batch|cli)/"
+  "^stdint[.]h$"                        "^api/hooke_c[.]h$"  # for C
   "^[a-z_]+$"                           "."  # the C++ standard library
 )
 

@@ -8,11 +8,12 @@
     run.error[-1]            # [m]: the estimated error of the last sample
 
 SI units throughout. Everything is computed by the modules that the command line uses: the same options and defaults give the same bits.
-Errors are exceptions: InputError, UsageError and FileError, all of them Error, with the message that the command line prints, which here
-names the argument instead of the option; TypeError for an argument of the wrong type.
+Errors are exceptions: InputError, UsageError (for an unknown name also a KeyError) and FileError (for a missing file also a
+FileNotFoundError), all of them Error, with the message that the command line prints, which here names the argument instead of the option;
+TypeError for an argument of the wrong type.
 """
 
-from ._hooke import Error, FileError, InputError, UsageError
+from ._hooke import Error, FileError, InputError, MissingFileError, UnknownNameError, UsageError
 from ._hooke import version as __version__
 from .commands import HardCases, bench, check, check_hard, convert, merge_benches, merge_sweeps, replay, render_recording
 from .lab import Lab
@@ -21,7 +22,7 @@ from .scene import CaptureResult, HookeWarning, Scene, load
 from .tables import methods, parameters, quantities, scenes, shapes
 
 __all__ = [
-    "CaptureResult", "Chart", "Check", "Energy", "Error", "FileError", "HardCases", "HookeWarning", "InputError", "Lab", "Replay", "Run",
-    "Scene", "Sweep", "UsageError", "bench", "check", "check_hard", "convert", "load", "merge_benches", "merge_sweeps", "methods",
-    "parameters", "quantities", "render_recording", "replay", "scenes", "shapes",
+    "CaptureResult", "Chart", "Check", "Energy", "Error", "FileError", "HardCases", "HookeWarning", "InputError", "Lab",
+    "MissingFileError", "Replay", "Run", "Scene", "Sweep", "UnknownNameError", "UsageError", "bench", "check", "check_hard", "convert",
+    "load", "merge_benches", "merge_sweeps", "methods", "parameters", "quantities", "render_recording", "replay", "scenes", "shapes",
 ]

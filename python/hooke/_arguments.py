@@ -25,12 +25,18 @@ def optional(convert: Callable[[str, Any], Value], name: str, value: Any) -> Val
     return None if value is None else convert(name, value)
 
 
+def as_float(value: Any) -> float:
+    """Of a number of single or half precision the decimal one that it stands for: 0.1 for np.float32(0.1)."""
+    dtype = getattr(value, "dtype", None)
+    return float(str(value)) if dtype == np.float32 or dtype == np.float16 else float(value)
+
+
 def number(name: str, value: Any) -> float:
     """A real number."""
     if isinstance(value, (str, bytes, bool, np.bool_, complex)) or np.ndim(value) > 0:
         raise TypeError(f"{name}: {_shown(value)}: must be a number")
     try:
-        return float(value)
+        return as_float(value)
     except (TypeError, ValueError):
         raise TypeError(f"{name}: {_shown(value)}: must be a number") from None
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _hooke
-from ._arguments import text
+from ._arguments import as_float, text
 
 Array = NDArray[np.float64]
 
@@ -18,7 +18,7 @@ def setting_text(value: Any) -> str:
     if isinstance(value, (bool, np.bool_)):
         return "on" if value else "off"
     if isinstance(value, (float, np.floating)):
-        return repr(float(value))
+        return repr(as_float(value))
     return str(value)
 
 

@@ -73,10 +73,10 @@ def convert(source: str | os.PathLike[str], target: str | os.PathLike[str], *, w
     return _hooke.convert(path("source", source), path("target", target), import_options(weld, scale, up))
 
 
-def replay(file: str | os.PathLike[str], *, progress: bool | None = None) -> Replay:
+def replay(file: str | os.PathLike[str], *, threads: int = 1, progress: bool | None = None) -> Replay:
     """Steps a recording and compares every frame with the recorded one, as `hooke replay --verify`."""
     with bar("replay", progress) as shown:
-        return Replay(*_hooke.replay(path("file", file), shown))
+        return Replay(*_hooke.replay(path("file", file), integer("threads", threads), shown))
 
 
 def render_recording(file: str | os.PathLike[str], out: str | os.PathLike[str], *, progress: bool | None = None,

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
+import copy
 import os
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +18,10 @@ from ._progress import bar
 
 if TYPE_CHECKING:
     from .scene import Scene
+
+
+def _restore(scene: Scene, accuracy: str) -> Lab:
+    return Lab(_hooke.Lab(scene._bound, accuracy, 1, "double"))
 
 
 class Lab(Parameterized):
@@ -50,9 +57,67 @@ class Lab(Parameterized):
         return self._bound.energy()
 
     @property
+    def energy_balance(self) -> dict[str, float] | None:
+        """Where the energy [J] came from since the time `since` [s]: change, and what the hand, edits, forces, colliders, limits, drag,
+        dashpots and contact supplied, negative if they took it; method: what the numerical method gained or lost. None: not measured."""
+        return self._bound.energy_balance()
+
+    @property
     def error(self) -> dict[str, float | None]:
         """The measured accuracy: frame, frame_max and accumulated error [m], amplification [1], predictable [s]. None: not known."""
         return self._bound.error()
+
+    def _loads(self, name: str) -> Array:
+        values: Array = self._bound.loads()[name]
+        return values
+
+    @property
+    def strain(self) -> Array:
+        """Strain of every spring [1], (springs,): length / rest length - 1."""
+        return self._loads("strain")
+
+    @property
+    def tension(self) -> Array:
+        """Tension of every spring [N], (springs,), without its dashpot; negative in compression."""
+        return self._loads("tension")
+
+    @property
+    def spring_forces(self) -> Array:
+        """Force of every spring on its first point [N], (springs, 3), without its dashpot."""
+        return self._loads("forces")
+
+    @property
+    def spring_energy(self) -> Array:
+        """Elastic energy of every spring [J], (springs,)."""
+        return self._loads("spring_energy")
+
+    @property
+    def loads(self) -> Array:
+        """External force on every point [N], (points, 3): gravity, wind and the listed forces; without contact."""
+        return self._loads("loads")
+
+    @property
+    def reactions(self) -> Array:
+        """Force of the nail or the hand that keeps a point in place [N], (points, 3); zero for free points."""
+        return self._loads("reactions")
+
+    @contextlib.contextmanager
+    def edit(self) -> Iterator[tuple[Array, Array]]:
+        """Arrays of the positions [m] and velocities [m/s] to write to: `with lab.edit() as (positions, velocities):`. One edit to undo."""
+        positions, velocities = self.positions.copy(), self.velocities.copy()
+        yield positions, velocities
+        self.set_state(positions, velocities)
+
+    def __copy__(self) -> Lab:
+        return copy.deepcopy(self)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle: the scene in its present state and what is measured, without the history."""
+        return _restore, (self.scene(), self._bound.accuracy)
+
+    def _repr_png_(self) -> bytes:
+        """The picture that Jupyter shows."""
+        return self.scene()._picture()
 
     def step(self, frames: int = 1, *, progress: bool | None = False) -> bool:
         """Computes frames. False if one diverged: the state is then that of the last valid frame, and diagnosis says why."""

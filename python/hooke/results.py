@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import base64
+import contextlib
+import copy
 import dataclasses
+import html
+import io
 import json
 import math
 import os
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -13,6 +19,7 @@ from numpy.typing import NDArray
 
 from . import _hooke
 from ._arguments import path, text
+from ._hooke import UnknownNameError, UsageError
 
 if TYPE_CHECKING:
     from .lab import Lab
@@ -57,7 +64,7 @@ class Run:
     lab: the laboratory at the end of the run
     """
 
-    def __init__(self, values: dict[str, Any], lab: Lab, start: _hooke.Scene, asked_seconds: float) -> None:
+    def __init__(self, values: dict[str, Any], lab: Lab, start: _hooke.Scene | None, asked_seconds: float) -> None:
         self.time: Array = values["time"]
         self.positions: Array = values["positions"]
         self.velocities: Array = values["velocities"]
@@ -75,15 +82,63 @@ class Run:
         self.factorizations: int = values["factorizations"]
         self.gas_releases: list[float] = values["gas_releases"]
         self.warnings: list[str] = values["warnings"]
-        self.lab = lab
+        self._lab: Lab | None = lab
         self._start = start
         self._asked_seconds = asked_seconds
         self._diagnosis: str | None = None
 
+    def __getstate__(self) -> dict[str, Any]:
+        """For pickle: without the laboratory and the search for a remedy."""
+        diagnosis = self._diagnosis
+        if self.diverged and diagnosis is None:
+            diagnosis = self._lab._bound.diagnosis(None, 0.0) if self._lab is not None else None
+        return {**self.__dict__, "_lab": None, "_start": None, "_diagnosis": diagnosis}
+
+    def __copy__(self) -> Run:
+        made = Run.__new__(Run)
+        made.__dict__.update(self.__dict__)
+        return made
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Run:
+        made = Run.__new__(Run)
+        memo[id(self)] = made
+        made.__dict__.update({name: value if name == "_start" else copy.deepcopy(value, memo) for name, value in self.__dict__.items()})
+        return made
+
+    @property
+    def lab(self) -> Lab:
+        """The laboratory at the end of the run."""
+        if self._lab is None:
+            raise UsageError("lab: a run that was pickled has none")
+        return self._lab
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the energies over time with Matplotlib, and returns the axes."""
+        ax = ax or new_axes()[0]
+        for name in ("kinetic", "elastic", "gravitational", "total"):
+            ax.plot(self.time, getattr(self.energy, name), label=name)
+        ax.set(xlabel="time [s]", ylabel="energy [J]")
+        ax.legend(fontsize="small")
+        return ax
+
+    def _repr_html_(self) -> str:
+        """What Jupyter shows: the figures, the last state, and the energies if Matplotlib is installed."""
+        pictures = [] if self._lab is None else [self._lab._repr_png_()]
+        if len(self.time) > 1:
+            with contextlib.suppress(ImportError):
+                from matplotlib.figure import Figure
+                figure, file = Figure(figsize=(6, 4), layout="constrained"), io.BytesIO()
+                self.plot(figure.subplots())
+                figure.savefig(file)
+                pictures.append(file.getvalue())
+        images = "".join(f'<img src="data:image/png;base64,{base64.b64encode(picture).decode()}"/>' for picture in pictures)
+        error = f"error {self.error[-1]:.2g} m" if len(self.error) and not math.isnan(self.error[-1]) else "error not known"
+        return f"<div>{html.escape(repr(self))}<br/>{error}<br/>{images}</div>"
+
     @property
     def diagnosis(self) -> str | None:
         """Why the run diverged, and a setting that does not, tested on copies; None if it did not. Takes a second or two, once."""
-        if self.diverged and self._diagnosis is None:
+        if self.diverged and self._diagnosis is None and self._lab is not None:
             self._diagnosis = self.lab._bound.diagnosis(self._start, self._asked_seconds)
         return self._diagnosis
 
@@ -211,11 +266,16 @@ class Sweep:
         """A column."""
         columns = self.columns
         if name not in columns:
-            raise KeyError(f"{name}: must be one of {', '.join(columns)}")
+            raise UnknownNameError(f"{name}: must be one of {', '.join(columns)}")
         return columns[name]
 
     def __len__(self) -> int:
         return len(self.rows)
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        """The rows as dictionaries, with status and note, as pandas.DataFrame takes them."""
+        columns: dict[str, Any] = {**self.columns, "status": self.status, "note": self.notes}
+        return ({name: values[row] for name, values in columns.items()} for row in range(len(self)))
 
     def to_csv(self, file: str | os.PathLike[str] | None = None) -> str:
         """The table as `hooke sweep` writes it to sweep.csv, also written to the file if there is one."""
@@ -230,7 +290,7 @@ class Sweep:
         """
         drawn = list(self.measures) if measure is None else [text("measure", measure)]
         if unknown := [name for name in drawn if name not in self.measures]:
-            raise KeyError(f"{unknown[0]}: must be one of {', '.join(self.measures)}")
+            raise UnknownNameError(f"{unknown[0]}: must be one of {', '.join(self.measures)}")
         axes = new_axes(len(drawn)) if ax is None else [ax]
         over = max(self.vary, key=lambda name: len(np.unique(self.vary[name])))
         others = [name for name in self.vary if name != over]

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import concurrent.futures
 import contextlib
 import difflib
 import json
 import math
+import multiprocessing
 import os
 import tempfile
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,9 +22,10 @@ from ._arguments import array, import_options, integer, json_value, names, numbe
 from ._hooke import InputError
 from ._parameters import Array, Parameterized, setting_text
 from ._progress import bar
+from ._shapes import Shapes
 from .lab import Lab
 from .results import Chart, Check, Run, Sweep
-from .tables import method_text, parameter_text, shape_text
+from .tables import method_text, parameter_text
 
 
 class HookeWarning(UserWarning):
@@ -56,8 +59,9 @@ class CaptureResult(NamedTuple):
 def _capture_options(*, seconds: float | None = None, frames: int | None = None, fps: float | None = None,
                      size: tuple[int, int] = (1280, 720), scale: float = 1.0, ui: bool = False, stamp: bool = False,
                      report: str | os.PathLike[str] | None = None, fail_above: float | None = None,
-                     camera: ArrayLike | None = None) -> dict[str, Any]:
+                     camera: ArrayLike | None = None, threads: int = 1) -> dict[str, Any]:
     return {
+        "threads": integer("threads", threads),
         "seconds": optional(number, "seconds", seconds), "frames": optional(integer, "frames", frames), "fps": optional(number, "fps", fps),
         "size": "x".join(str(side) for side in whole_numbers("size", size).ravel()), "scale": number("scale", scale), "ui": bool(ui),
         "stamp": bool(stamp), "report": optional(path, "report", report), "fail_above": optional(number, "fail_above", fail_above),
@@ -102,7 +106,7 @@ class _Column:
         setattr(scene._bound, self._name, self._convert(scene, value))
 
 
-class Scene(Parameterized):
+class Scene(Parameterized, Shapes):
     """A network of points and springs with everything that a scene file contains.
 
     scene = hooke.load("cloth")      # a shipped scene or a file
@@ -165,23 +169,6 @@ class Scene(Parameterized):
 
     # Building
 
-    def add_shape(self, type: str, **fields: Any) -> range:
-        """Adds a shape, as in the "generators" of a scene file: add_shape("rope", ...) is add_rope(...). Returns its points' numbers."""
-        return self._add("generators", {"type": type, **fields}, f"add_{type}" if hasattr(Scene, f"add_{type}") else "add_shape")
-
-    if TYPE_CHECKING:  # one for each row of the table of shapes; see _add_shape_methods
-
-        def add_cloth(self, **fields: Any) -> range: ...
-        def add_rope(self, **fields: Any) -> range: ...
-        def add_hanging_rope(self, **fields: Any) -> range: ...
-        def add_chain(self, **fields: Any) -> range: ...
-        def add_sheet(self, **fields: Any) -> range: ...
-        def add_curtain(self, **fields: Any) -> range: ...
-        def add_flag(self, **fields: Any) -> range: ...
-        def add_net(self, **fields: Any) -> range: ...
-        def add_bridge(self, **fields: Any) -> range: ...
-        def add_jelly(self, **fields: Any) -> range: ...
-
     def add_collider(self, type: str, **fields: Any) -> None:
         """Adds a "plane" (point, normal), a "sphere" (center, radius) or a "box" (min, max) [m]; restitution, friction [1]."""
         self._add("colliders", {"type": type, **fields}, "add_collider")
@@ -217,9 +204,11 @@ class Scene(Parameterized):
         first = self._bound.add_points(positions, array("mass", mass), velocity, array("radius", radius), nails)
         return range(first, self.point_count)
 
-    def add_point(self, position: ArrayLike, **properties: Any) -> int:
-        """Adds a point at a position [m] and returns its number. Properties: those of add_points."""
-        return self.add_points(array("position", position)[np.newaxis], **properties)[0]
+    def add_point(self, position: ArrayLike, *, mass: float = 1.0, velocity: ArrayLike | None = None, radius: float = 0.02,
+                  nailed: bool = False) -> int:
+        """Adds a point at a position [m] and returns its number. mass [kg], velocity [m/s], radius [m]."""
+        moving = None if velocity is None else array("velocity", velocity)[np.newaxis]
+        return self.add_points(array("position", position)[np.newaxis], mass=mass, velocity=moving, radius=radius, nailed=nailed)[0]
 
     def add_springs(self, points: ArrayLike, *, stiffness: ArrayLike = 100.0, damping: ArrayLike = 0.0,
                     rest_length: ArrayLike | None = None, break_strain: ArrayLike | None = None) -> range:
@@ -233,9 +222,11 @@ class Scene(Parameterized):
                                         optional(array, "break_strain", break_strain))
         return range(first, self.spring_count)
 
-    def add_spring(self, first: int, second: int, **properties: Any) -> int:
-        """Adds a spring between two points and returns its number. Properties: those of add_springs."""
-        return self.add_springs([(first, second)], **properties)[0]
+    def add_spring(self, first: int, second: int, *, stiffness: float = 100.0, damping: float = 0.0, rest_length: float | None = None,
+                   break_strain: float | None = None) -> int:
+        """Adds a spring between two points and returns its number. stiffness [N/m], damping [N s/m], rest_length [m], break_strain [1]."""
+        return self.add_springs([(first, second)], stiffness=stiffness, damping=damping, rest_length=rest_length,
+                                break_strain=break_strain)[0]
 
     # Properties
 
@@ -247,6 +238,15 @@ class Scene(Parameterized):
     stiffness = _Column("stiffness", "Stiffness of each spring [N/m], (springs,)")
     damping = _Column("damping", "Damping of each spring [N s/m], (springs,)")
     rest_length = _Column("rest_length", "Rest length of each spring [m], (springs,)")
+
+    @property
+    def laws(self) -> list[dict[str, Any] | None]:
+        """The law of each spring as in scene files, such as {"law": "cable"} or {"muscle": {"amplitude": 0.2}}; None: a plain spring."""
+        return [None if law is None else json.loads(law) for law in self._bound.laws]
+
+    @laws.setter
+    def laws(self, laws: Sequence[Mapping[str, Any] | None]) -> None:
+        self._bound.laws = [None if law is None else json.dumps(dict(law)) for law in laws]
 
     @property
     def springs(self) -> NDArray[np.int64]:
@@ -316,7 +316,8 @@ class Scene(Parameterized):
             frame_rate: float | None = None, tolerance: float | None = None, accuracy: str = "full",
             json: str | os.PathLike[str] | None = None, csv: str | os.PathLike[str] | None = None,
             quantities: str | Sequence[str] | None = None, pc2: str | os.PathLike[str] | None = None, points: ArrayLike | None = None,
-            on_frame: Callable[[Lab], Any] | None = None, progress: bool | None = None) -> Run:
+            on_frame: Callable[[Lab], Any] | None = None, threads: int = 1, precision: str = "double",
+            progress: bool | None = None) -> Run:
         """Runs a copy of the scene, as `hooke run --json`, with the same bits.
 
         seconds: simulated time, rounded up to whole frames [s]
@@ -326,6 +327,7 @@ class Scene(Parameterized):
         json, csv, pc2: files to write as `hooke run` does; quantities: the columns of the CSV file, see hooke.quantities()
         points: the numbers of the points to sample; None: all
         on_frame: called with the Lab at the start and after every frame, to control it; False (not None) ends the run
+        threads: that compute a frame, to the same bits; precision: "single" for twice the speed where `hooke run` allows it
         progress: a tqdm bar, by default on terminals and in notebooks
         """
         columns = None if quantities is None else ",".join(names("quantities", quantities))
@@ -335,17 +337,18 @@ class Scene(Parameterized):
         if on_frame is not None and not callable(on_frame):
             raise TypeError(f"on_frame: {on_frame!r}: must be a function")
         control = None if on_frame is None else _control(on_frame)
+        execution = (integer("threads", threads), text("precision", precision))
         start = self._stepped(integrator, substeps, frame_rate, tolerance)
         with bar("run", progress) as shown:
-            values, lab = _hooke.run(start, *arguments, control, shown)
+            values, lab = _hooke.run(start, *arguments, *execution, control, shown)
         _warn(values["warnings"], 2)
         return Run(values, Lab(lab), start, seconds)
 
     def lab(self, *, integrator: str | None = None, substeps: int | None = None, frame_rate: float | None = None,
-            tolerance: float | None = None, accuracy: str = "off") -> Lab:
+            tolerance: float | None = None, accuracy: str = "off", threads: int = 1, precision: str = "double") -> Lab:
         """A laboratory with a copy of the scene, to step frame by frame. Options: those of run."""
-        mode = text("accuracy", accuracy)
-        return Lab(_hooke.Lab(self._stepped(integrator, substeps, frame_rate, tolerance), mode))
+        options = (text("accuracy", accuracy), integer("threads", threads), text("precision", precision))
+        return Lab(_hooke.Lab(self._stepped(integrator, substeps, frame_rate, tolerance), *options))
 
     def bench(self, methods: Sequence[str] = (), *, tolerance_range: tuple[float, float] | None = None, quick: bool = False,
               shard: str = "1/1", out: str | os.PathLike[str] | None = None, progress: bool | None = None) -> Chart:
@@ -373,7 +376,7 @@ class Scene(Parameterized):
 
     def sweep(self, vary: Mapping[str, ArrayLike | str], measure: str | Sequence[str], seconds: float, *, integrator: str | None = None,
               substeps: int | None = None, frame_rate: float | None = None, tolerance: float | None = None, shard: str = "1/1",
-              out: str | os.PathLike[str] | None = None, progress: bool | None = None) -> Sweep:
+              out: str | os.PathLike[str] | None = None, processes: int = 1, progress: bool | None = None) -> Sweep:
         """Runs a copy of the scene for every combination of parameter values, as `hooke sweep`, with the same values.
 
         vary: the values of each parameter, {"stiffness": np.logspace(2, 4, 5), "substeps": [8, 16]}, or a range "100:1e4:log:20"
@@ -381,7 +384,15 @@ class Scene(Parameterized):
         seconds: simulated time of each run [s]
         shard: "2/8" runs the second of eight parts; hooke.merge_sweeps puts the folders of all parts together
         out: a folder for the table and charts, from which the same call resumes
+        processes: that share the runs, to the same table; they start a new interpreter each, in which the main module is imported
         """
+        if (parts := integer("processes", processes)) < 1:
+            raise InputError(f"processes: {parts}: must be at least 1")
+        if parts > 1:
+            if shard != "1/1":
+                raise InputError("processes: excludes shard")
+            return self._sweep_in_parts(parts, out, vary=dict(vary), measure=measure, seconds=seconds, integrator=integrator,
+                                        substeps=substeps, frame_rate=frame_rate, tolerance=tolerance, progress=False)
         axes = []
         for name, values in dict(vary).items():
             listed = values if isinstance(values, str) else ",".join(setting_text(value) for value in np.atleast_1d(np.asarray(values)))
@@ -396,6 +407,15 @@ class Scene(Parameterized):
         with bar("sweep", progress, "run") as shown:
             return Sweep(*_hooke.sweep(start, *arguments, shown))
 
+    def _sweep_in_parts(self, parts: int, out: str | os.PathLike[str] | None, **options: Any) -> Sweep:
+        with tempfile.TemporaryDirectory() as scratch:
+            folders = [os.path.join(scratch, str(part)) for part in range(parts)]
+            jobs = [(self, options, f"{part + 1}/{parts}", folder) for part, folder in enumerate(folders)]
+            with concurrent.futures.ProcessPoolExecutor(parts, mp_context=multiprocessing.get_context("spawn")) as pool:
+                list(pool.map(_sweep_part, jobs))
+            target = os.path.join(scratch, "all") if out is None else out
+            return Sweep(*_hooke.merge_sweeps([path("out", folder) for folder in folders], path("out", target)))
+
     def check(self) -> list[Check]:
         """Runs the check that the scene file contains, with every method that it names; an empty list if it has none."""
         return [Check(self.name, *result) for result in _hooke.check(self._bound)]
@@ -404,7 +424,7 @@ class Scene(Parameterized):
                 size: tuple[int, int] = (1280, 720), scale: float = 1.0, ui: bool = False, stamp: bool = False,
                 report: str | os.PathLike[str] | None = None, fail_above: float | None = None, camera: ArrayLike | None = None,
                 integrator: str | None = None, substeps: int | None = None, frame_rate: float | None = None,
-                tolerance: float | None = None, progress: bool | None = None) -> CaptureResult:
+                tolerance: float | None = None, threads: int = 1, progress: bool | None = None) -> CaptureResult:
         """Draws the scene as it moves, without a display, as `hooke capture`.
 
         out: a .png for the last picture only, a folder for all, or a .mp4 (by ffmpeg)
@@ -414,7 +434,7 @@ class Scene(Parameterized):
         fail_above: a limit of the accumulated error [m]; camera: the eye and its target, six numbers [m]
         """
         options = _capture_options(seconds=seconds, frames=frames, fps=fps, size=size, scale=scale, ui=ui, stamp=stamp, report=report,
-                                   fail_above=fail_above, camera=camera)
+                                   fail_above=fail_above, camera=camera, threads=threads)
         file = path("out", out)
         start = self._stepped(integrator, substeps, frame_rate, tolerance)
         with bar("capture", progress) as shown:
@@ -422,6 +442,9 @@ class Scene(Parameterized):
 
     def _repr_png_(self) -> bytes:
         """The picture that Jupyter shows."""
+        return self._picture()
+
+    def _picture(self) -> bytes:
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "scene.png")
             _hooke.capture(self._bound, os.fsencode(file), _capture_options(size=(640, 400)), None)
@@ -432,6 +455,13 @@ class Scene(Parameterized):
         return f"Scene({self.title or self.name!r}, {self.point_count} points, {self.spring_count} springs)"
 
 
+def _sweep_part(job: tuple[Scene, dict[str, Any], str, str]) -> None:
+    scene, options, shard, folder = job
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", HookeWarning)
+        scene.sweep(**options, shard=shard, out=folder)
+
+
 def _control(on_frame: Callable[[Lab], Any]) -> Callable[[_hooke.Lab], bool]:
     def control(lab: _hooke.Lab) -> bool:
         answer = on_frame(Lab(lab))
@@ -440,17 +470,4 @@ def _control(on_frame: Callable[[Lab], Any]) -> Callable[[_hooke.Lab], bool]:
     return control
 
 
-def _add_shape_methods() -> None:
-    """add_cloth, add_rope, ...: one for each row of the table of shapes."""
-    for row in _hooke.shapes():
-        def add(self: Scene, _type: str = row["id"], /, **fields: Any) -> range:
-            return self.add_shape(_type, **fields)
-
-        add.__name__ = f"add_{row['id']}"
-        add.__qualname__ = f"Scene.{add.__name__}"
-        add.__doc__ = f"{shape_text(row)}\n\nReturns the numbers of its points."
-        setattr(Scene, add.__name__, add)
-
-
-_add_shape_methods()
 Scene.__doc__ = (Scene.__doc__ or "").format(parameters=parameter_text().lstrip(), methods=method_text().lstrip())

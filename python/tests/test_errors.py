@@ -37,7 +37,7 @@ refused = [
     (lambda: hooke.Scene.from_json("{"), "scene: line 1: unexpected end of the file", ""),
     (set_item("stiffness", -5), 'scene["stiffness"]: -5: must be from 0.01 to 1000000 [N/m]', ""),
     (set_item("stiffness", nan), 'scene["stiffness"]: nan: must be from 0.01', ""),
-    (set_item("stiffness", np.array([1, 2])), 'scene["stiffness"]: [1 2]: must be', ""),
+    (set_item("stiffness", np.array([1, 2])), 'scene["stiffness"]: [1 2]: not a number: must be', ""),
     (set_item("stifness", 1), 'scene["stifness"]: no such parameter: must be one of dimensions, ', "; did you mean stiffness?"),
     (lambda: pair()["stifness"], 'scene["stifness"]: no such parameter: ', "; did you mean stiffness?"),
     (lambda: pair().lab().__setitem__("drag", -1), 'lab["drag"]: -1: must be', ""),

@@ -30,6 +30,16 @@ def test_a_run_has_the_bits_of_the_command_line(scene, seconds, options, run_jso
     assert [None if np.isnan(error) else error for error in run.error] == errors
 
 
+def test_the_energy_balance_adds_up():
+    scene = hooke.load("cloth")
+    lab = scene.run(0.5).lab
+    balance = lab.energy_balance
+    assert list(balance) == ["since", "change", "hand", "edits", "forces", "muscles", "colliders", "limits", "drag", "dashpots", "contact", "method"]
+    parts = sum(joules for name, joules in balance.items() if name not in ("since", "change"))
+    assert balance["since"] == 0 and np.isclose(balance["change"], parts, rtol=0, atol=1e-12)
+    assert scene.run(0.1, accuracy="off").lab.energy_balance is None
+
+
 def test_a_set_parameter_has_the_bits_of_the_command_line(run_json):
     scene = hooke.load("cloth")
     scene["stiffness"] = 200

@@ -12,7 +12,9 @@
 // being compiled again. New functions and classes may be added. An incompatible interface would be hooke::v2 in libhooke.so.2.
 //
 // Errors are exceptions of the class Error: one line, as on the command line, that names the argument. A Simulation is used by one thread
-// at a time; different ones may be used at the same time.
+// at a time; different ones may be used at the same time. What was moved from throws an Error when it is used.
+//
+// hooke/hooke_c.h is the same for C and other languages.
 #pragma once
 
 #include <cstdint>
@@ -61,7 +63,8 @@ class HOOKE_PUBLIC Scene {
   Scene& operator=(Scene&&) noexcept;
   ~Scene();
 
-  // Adds a point, a spring (rest length as drawn) or parts as in a scene file: "generators": [...], "colliders": [...].
+  // Adds a point, a spring (rest length as drawn) or members of a scene file: "generators": [...], "colliders": [...] are added,
+  // "gravity": [...], "simulation": {...}, "contact": {...} and other parameters replace those of the scene. Refuses unknown members.
   // add_point and add_spring return the number of what was added, from 0. Adding n of them one by one takes time proportional to n^2:
   // `add` takes lists.
   std::int64_t add_point(const Vector& position, double mass, bool nailed = false);                        // [m], [kg]
@@ -84,12 +87,21 @@ class HOOKE_PUBLIC Scene {
  private:
   friend class Simulation;
   struct Data;
+  Data& data() const;
   std::unique_ptr<Data> data_;
 };
 
 struct HOOKE_PUBLIC Energy {
   double kinetic = 0.0, elastic = 0.0, gravitational = 0.0;  // [J]
   double total() const { return kinetic + elastic + gravitational; }
+};
+
+// A plane with a normal of length 1, a sphere, or a box.
+struct HOOKE_PUBLIC Collider {
+  enum class Kind { Plane, Sphere, Box };
+  Kind kind = Kind::Plane;
+  Vector first, second;  // point [m] and normal; center [m] and nothing; min and max [m]
+  double radius = 0.0;   // [m], of a sphere
 };
 
 // A running scene.
@@ -106,8 +118,12 @@ class HOOKE_PUBLIC Simulation {
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
-  // Computes one frame. False if it diverged: the state is that of the previous frame, and `diagnosis` says why.
+  // Computes one frame, or the frames that cover `seconds` [s]. False if it diverged: the state is that of the last valid frame, and
+  // `diagnosis` says why.
   bool step();
+  bool step(double seconds);
+  // On how many threads frames are computed, to the same bits.
+  void set_threads(int threads);
   std::string diagnosis() const;  // one line; empty: nothing to report
 
   double time() const;         // [s]
@@ -116,6 +132,19 @@ class HOOKE_PUBLIC Simulation {
   // x, y, z of every point, in the order of their numbers. Valid until the simulation is stepped, changed or destroyed.
   std::span<const double> positions() const;   // [m]
   std::span<const double> velocities() const;  // [m/s]
+
+  // The network as it is now: springs may have broken.
+  std::int64_t point_count() const;
+  std::vector<std::int64_t> springs() const;  // the two points of every spring
+  std::vector<std::int64_t> faces() const;    // the three points of every triangle of a surface
+  std::vector<double> masses() const;         // [kg]
+  std::vector<double> radii() const;          // [m]
+  std::vector<bool> nailed() const;
+  std::vector<double> stiffness() const;     // [N/m], of every spring
+  std::vector<double> rest_lengths() const;  // [m]
+  std::vector<double> tensions() const;      // [N], of every spring without its dashpot; negative in compression
+  std::vector<double> reactions() const;     // [N], x, y, z of the force of every nail; zero for free points
+  std::vector<Collider> colliders() const;   // where they are now
 
   // RMS over the points of the distance from the exact motion since the start [m], and what the last measured frame added; NaN: not known.
   double error() const;
@@ -137,6 +166,7 @@ class HOOKE_PUBLIC Simulation {
 
  private:
   struct Data;
+  Data& data() const;
   std::unique_ptr<Data> data_;
 };
 

@@ -55,11 +55,11 @@ void App::handle(const Request& request) {
                  [this](const Recover& wanted) { document_.recover(wanted.which); },
                  [this](const DiscardRecovery& unwanted) { document_.discard_recovery(unwanted.which); },
                  [this](const CancelWork&) { file_task_.stop(); },
-                 [this](const StopComparison&) { comparison_.stop(); },
-                 [this](const StopResultCheck&) { result_check_.stop(); },
-                 [this](const ExplainStretch&) { start_stretch(stretch_, status(), selection_.springs); },
+                 [this](const StopComparison&) { work_.comparison.stop(); },
+                 [this](const StopResultCheck&) { work_.result_check.stop(); },
+                 [this](const ExplainStretch&) { start_stretch(work_.stretch, status(), selection_.springs); },
                  [this](const SaveComparison& save) { save_comparison(save.extension); },
-                 [this](const SetGhosts& ghosts) { ghost_runs_.set(ghosts, status(), lab_); },
+                 [this](const SetGhosts& ghosts) { work_.ghosts.set(ghosts, status(), lab_); },
                  [this](const ShowFailure&) { show_failure(); },
                  [this](const StartExport&) { exporter_.start(); },
                  [this](const StopExport&) { exporter_.stop(); },
@@ -112,14 +112,14 @@ void App::cancel() {
 
 void App::compare_methods() {
   panels_.show_at_left(&panels_.comparison_shown);
-  ghost_runs_.set({}, status(), lab_);
-  start_comparison(comparison_, status());
+  work_.ghosts.set({}, status(), lab_);
+  start_comparison(work_.comparison, status());
 }
 
 void App::check_result() {
   panels_.show_at_left(&panels_.result_check_shown);
-  ghost_runs_.set({}, status(), lab_);
-  start_result_check(result_check_, status(), forecaster_.newest());
+  work_.ghosts.set({}, status(), lab_);
+  start_result_check(work_.result_check, status(), work_.forecaster.newest());
 }
 
 // Shows the panel with the exact solution, or with a first setting to compare with; hides it if it is already shown.
@@ -132,11 +132,11 @@ void App::show_ghosts(bool with_exact) {
     ghosts.with_exact = with_exact;
     if (!with_exact) ghosts.settings = {first_ghost(status().snapshot->settings)};
   }
-  ghost_runs_.set({ghosts.with_exact, ghosts.settings}, status(), lab_);
+  work_.ghosts.set({ghosts.with_exact, ghosts.settings}, status(), lab_);
 }
 
 void App::save_comparison(const std::string& extension) {
-  const auto result = comparison_.status().result;
+  const auto result = work_.comparison.status().result;
   if (!result) return;
   const std::filesystem::path file = document_.new_file_beside("-methods" + extension);
   const std::string error = write_comparison(*result, file);
@@ -169,7 +169,6 @@ void App::show_or_hide_plots() {
   const double width = layout_.menu.width, height = layout_.status.y + layout_.status.height;
   if (lay_out(width, height, tool_context_.scale, {.plots = true}).plots.height == 0.0)
     panels_.show_toast("The window is not high enough for plots");
-  if (status().timeline.traces->traces.empty()) lab_.submit(Watch{first_plots(tool_context_.system())});
 }
 
 void App::show_messages() {
@@ -179,7 +178,12 @@ void App::show_messages() {
     return;
   }
   panels_.show_at_left(&is_shown);
-  ghost_runs_.set({}, status(), lab_);
+  work_.ghosts.set({}, status(), lab_);
+}
+
+void App::switch_muscles() {
+  const Parameter& muscles = *find_parameter("muscles");
+  lab_.submit(SetParameter{&muscles, status().snapshot->system->muscles.on ? 0.0 : 1.0});
 }
 
 // The surface is shown, and without strain colors, so that the texture is visible.

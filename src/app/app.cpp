@@ -75,15 +75,7 @@ void App::drop(const FileDrop& dropped) {
 
 void App::build_frame(const FrameStatistics& frame_statistics) {
   poll_background_work();
-  forecaster_.follow(status());
-  crossing_finder_.follow(status());
-  method_advisor_.follow(status(), panels_.accuracy_shown);
-  comparison_.follow();
-  result_check_.follow();
-  stretch_.follow();
-  ghost_runs_.follow(status(), lab_);
-  const auto& divergence = status().snapshot->divergence;
-  remedy_search_.follow(status(), divergence && panels_.dismissed != divergence->time);
+  work_.follow(status(), panels_, lab_);
   const std::size_t gas_releases = status().run.gas_releases;
   if (gas_releases > std::exchange(gas_releases_, gas_releases)) panels_.show_toast("A tear released the gas of a surface");
   if (const std::string notice = std::exchange(tool_context_.notice, {}); !notice.empty()) panels_.show_toast(notice);
@@ -101,6 +93,7 @@ void App::build_frame(const FrameStatistics& frame_statistics) {
   for (const Request& request : requests) handle(request);
   tool_context_.shows_surface = panels_.view.surface;
 
+  follow_plots();
   placer_.follow(mouse_.pointer());
   exporter_.poll();
   update_marks();
@@ -135,14 +128,13 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
           .export_work = exporter_.progress(),
           .has_desktop_dialog = document_.has_system_dialog(),
           .camera = tool_context_.camera,
-          .forecast = &forecaster_.newest(),
-          .advice = method_advisor_.newest(),
-          .remedy = remedy_search_.status(),
-          .comparison = comparison_.status(),
-          .result_check = result_check_.status(),
-          .stretch = stretch_.status(),
-          .crossed = crossing_finder_.found().get(),
-          .new_spring = tool_.action() == Action::DragTool ? std::nullopt : marks_.ghost_spring};
+          .forecast = &work_.forecaster.newest(),
+          .advice = work_.advisor.newest(),
+          .remedy = work_.remedy.status(),
+          .comparison = work_.comparison.status(),
+          .result_check = work_.result_check.status(),
+          .stretch = work_.stretch.status(),
+          .marks = &marks_};
 }
 
 void App::update_marks() {
@@ -150,7 +142,8 @@ void App::update_marks() {
   const auto& ghosts = status().companions.list;
   for (std::size_t i = 0; i < ghosts.size(); ++i)
     if (ghosts[i].positions) marks_.ghost_networks.push_back({ghosts[i].positions, to_color(ghost_color(i))});
-  marks_.crossed = crossing_finder_.found();
+  marks_.crossed = work_.crossings.found();
+  marks_.arrows = make_arrows(*status().snapshot, panels_.view, tool_context_.view_height(), force_arrows_);
   if (placer_.is_on()) return placer_.mark(marks_);
   if ((mouse_.is_over_scene() || tool_.is_pressed()) && !camera_control_.is_dragging()) tool_.mark(mouse_.pointer(), marks_);
 
@@ -158,6 +151,15 @@ void App::update_marks() {
     marks_.failed_point = divergence->point;
     marks_.failed_spring = divergence->spring;
   }
+}
+
+// What the laboratory measures for the plots is what the document plots.
+void App::follow_plots() {
+  if (!panels_.plots_shown) return;
+  const auto& traces = status().timeline.traces->traces;
+  std::vector<Quantity> wanted = plotted(*status().document, tool_context_.system());
+  const auto is_same = [](const Trace& trace, const Quantity& quantity) { return trace.quantity.name() == quantity.name(); };
+  if (!std::ranges::equal(traces, wanted, is_same)) lab_.submit(Watch{std::move(wanted)});
 }
 
 // Another scene is about to replace the one on screen.
@@ -169,13 +171,9 @@ void App::show(const Scene& scene) {
   placer_.stop();
   camera_control_.show(scene);
   take_switches(scene.view);
-  forecaster_.clear();
   panels_.ghosts = {};
   panels_.lesson_steps_done = 0;
-  ghost_runs_.set({}, status(), lab_);
-  comparison_.clear();
-  result_check_.clear();
-  stretch_.clear();
+  work_.clear(status(), lab_);
 }
 
 // Applies the view settings of the scene; the user may change them afterwards.
@@ -184,7 +182,9 @@ void App::take_switches(const ViewSettings& view) {
   panels_.view.springs = view.springs;
   panels_.view.points = view.points;
   panels_.view.strain_colors = view.strain_colors;
+  panels_.view.coils = view.coils;
   panels_.view.shadows = view.shadows;
+  panels_.plots_shown = panels_.plots_shown || !view.plots.empty();
   tool_context_.shows_surface = view.surface;
 }
 
@@ -197,8 +197,7 @@ ViewOptions App::view_options() const {
 }
 
 bool App::is_idle() const {
-  return !file_task_.is_running() && !exporter_.is_running() && !captures_.is_busy() && !remedy_search_.is_running() &&
-         !comparison_.is_running() && !result_check_.is_running() && !stretch_.is_running() && !status().run.running &&
+  return !file_task_.is_running() && !exporter_.is_running() && !captures_.is_busy() && !work_.is_running() && !status().run.running &&
          panels_.messages.toast.empty() && !tool_.is_pressed() && !camera_control_.is_dragging() && !camera_control_.is_flying();
 }
 

@@ -19,15 +19,11 @@
 #include "app/media/exporter.h"
 #include "app/tools/active_tool.h"
 #include "app/tools/tune.h"
+#include "app/view/arrows.h"
 #include "app/view/camera_control.h"
 #include "app/window/event.h"
+#include "app/work/background_work.h"
 #include "app/work/file_task.h"
-#include "app/work/forecaster.h"
-#include "app/work/ghost_runs.h"
-#include "app/work/method_advisor.h"
-#include "app/work/remedy_search.h"
-#include "app/work/result_task.h"
-#include "lab/crossing_finder.h"
 #include "ui/panels.h"
 
 namespace hooke {
@@ -99,8 +95,10 @@ class App {
   void cancel();
   void open_search();
   void show_or_hide_plots();
+  void follow_plots();
   void show_messages();
   void choose_texture(const std::string& typed);
+  void switch_muscles();
   void show(const Scene& scene);
   void take_switches(const ViewSettings& view);
   void update_marks();
@@ -124,14 +122,8 @@ class App {
   CameraControl camera_control_;
   Placer placer_;
   MouseInput mouse_;
-  Forecaster forecaster_;
-  CrossingFinder crossing_finder_;
-  MethodAdvisor method_advisor_;
-  RemedySearch remedy_search_;
-  ResultTask<MethodComparison> comparison_;
-  ResultTask<ResultCheck> result_check_;
-  ResultTask<StretchBreakdown> stretch_;
-  GhostRuns ghost_runs_;
+  BackgroundWork work_;
+  ForceArrows force_arrows_;
   Document document_;
   Captures captures_;
   Exporter exporter_;

@@ -35,7 +35,11 @@ std::string_view file_type_name(mode_t mode) {
   throw InputError(name + ": size: " + std::to_string(bytes) + " bytes: must be at most " + std::to_string(max_file_bytes) + " (256 MiB)");
 }
 
-[[noreturn]] void fail(const std::string& name, const char* what) { throw FileError(name + ": " + what + ": " + std::strerror(errno)); }
+[[noreturn]] void fail(const std::string& name, const char* what) {
+  const std::string line = name + ": " + what + ": " + std::strerror(errno);
+  if (errno == ENOENT) throw MissingFileError(line);
+  throw FileError(line);
+}
 
 // without O_NONBLOCK, opening a pipe waits for a writer
 constexpr int read_flags = O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;

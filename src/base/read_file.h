@@ -4,10 +4,17 @@
 #include <filesystem>
 #include <string>
 
+#include "base/errors.h"
+
 namespace hooke {
 
+// A file that does not exist.
+struct MissingFileError : FileError {
+  using FileError::FileError;
+};
+
 // The content of a regular file of at most max_file_bytes. Throws InputError for anything else (a folder, a pipe, a device, a larger file),
-// without reading it, and FileError if the system cannot open or read it.
+// without reading it, and FileError if the system cannot open or read it, MissingFileError if there is none.
 std::string read_file(const std::filesystem::path& file);
 
 // The text of a file, which may be compressed (gzip) and begin with the byte order mark of UTF-8. Throws InputError also for UTF-16, and

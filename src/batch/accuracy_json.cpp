@@ -63,22 +63,8 @@ void write_half_error(JsonWriter& json, const Accuracy& accuracy) {
 
 void write_energy_balance(JsonWriter& json, const Accuracy& accuracy) {
   if (!accuracy.is_on) return json.null();
-  using enum EnergyCause;
-  const EnergyBalance& balance = accuracy.energy;
-  const EnergyLedger& ledger = balance.ledger;
   json.begin_object(JsonWriter::Layout::Line);
-  for (const auto& [name, value] : std::array{
-           std::pair{"change", balance.change},
-           std::pair{"hand", ledger[Hand]},
-           std::pair{"edits", ledger[Edits]},
-           std::pair{"forces", ledger.forces()},
-           std::pair{"colliders", ledger[Colliders]},
-           std::pair{"limits", ledger.limits()},
-           std::pair{"drag", ledger[Drag]},
-           std::pair{"dashpots", ledger[Dashpots]},
-           std::pair{"contact", ledger[Contact]},
-           std::pair{"method", balance.method()},
-       })
+  for (const auto& [name, value] : accuracy.energy.terms())
     if (std::isfinite(value)) {
       json.number(name, value);
     } else {

@@ -8,6 +8,7 @@
 #include "batch/capture_report.h"
 #include "batch/offscreen.h"
 #include "batch/picture_writer.h"
+#include "batch/run_frames.h"
 #include "draw/view.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "lab/crossing_finder.h"
@@ -56,12 +57,16 @@ class FrameCapture {
     if (shows_panels_) crossing_finder_.follow(status);
     follow_scene(camera_, status.snapshot->state);
     const Marks marks{.crossed = crossing_finder_.found()};
-    const ImDrawData* panels =
-        panels_ ? panels_->build(status, camera_, {}, has_stamp_ ? stamp_of(status) : "", marks.crossed.get()) : nullptr;
+    const ImDrawData* panels = panels_ ? panels_->build(status, camera_, {}, has_stamp_ ? stamp_of(status) : "", &marks) : nullptr;
     view_.draw(*status.snapshot, marks, camera_, view_options_, size_.width, size_.height, panels);
     writer_->add(view_.read(), number);
   }
   std::string file_name(long number) const { return destination_.file(number).filename().string(); }
+  // The name of a frame in messages: the picture that shows it, or "before" the next picture.
+  std::string name_of(const CaptureSchedule& schedule, long picture, long frame) const {
+    if (destination_.kind != Destination::Kind::Folder) return "frame " + std::to_string(frame);
+    return (frame == schedule.frame_of(picture) ? "" : "before ") + file_name(picture);
+  }
   void finish() { writer_->finish(); }
 
  private:
@@ -92,7 +97,7 @@ class FrameCapture {
 }  // namespace
 
 CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double length,
-                              const std::function<bool(long done, long all)>& should_continue) {
+                              const std::function<void(long done, long all)>& progress) {
   const PictureSize size = parse_size(options.size);
   // the panels need space
   const int min_width = static_cast<int>(std::ceil(min_panel_size.width * options.scale));
@@ -125,12 +130,16 @@ CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double le
   long frame = 0;
   for (long picture = 0; picture <= last && is_running; ++picture) {
     for (; frame < schedule.frame_of(picture) && is_running; ++frame) {
-      results.diverged = !lab.step();
+      try {
+        results.diverged = !lab.step();
+      } catch (const Interrupted&) {
+        results.interrupted = true;
+      }
       // stop a replay at the first difference from the recording
-      is_running = !results.diverged && lab.difference().empty();
+      is_running = !results.diverged && !results.interrupted && lab.difference().empty();
       if (is_running) tolerance.add_frame(lab.scene().settings, lab.scene().state);
-      if (limit && is_running) limit->check(lab, frame + 1);
-      if (!should_continue(frame + 1, frames)) return results;
+      if (limit && is_running) limit->check(lab, frame_capture.name_of(schedule, picture, frame + 1));
+      progress(frame + 1, frames);
     }
     // a single picture shows the end, or the last valid frame of a run that stopped early
     const bool is_shown = frame_capture.takes_every_picture() ? is_running : picture == last || !is_running;
@@ -139,7 +148,7 @@ CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double le
       report->add(lab, frame_capture.takes_every_picture() || picture == last ? frame_capture.file_name(picture) : "");
   }
   frame_capture.finish();
-  if (report) report->finish();
+  if (report) report->finish(results.interrupted);
   if (limit) results.error_limit = limit->message();
   results.tolerance_warning = tolerance.warning();
   return results;

@@ -12,14 +12,15 @@ namespace hooke {
 struct CaptureResults {
   double seconds = 0.0;           // [s], from the first picture to the last, if nothing ended the run
   bool diverged = false;          // pictures end with the last valid frame
+  bool interrupted = false;       // by Interrupted (batch/run_frames.h); pictures end with the last complete frame
   std::string error_limit;        // the first frame that exceeded the limit `fail_above`; empty: none
   std::string tolerance_warning;  // of the method `auto`; empty: it met its tolerance
 };
 
 // Draws the scene of the laboratory, which steps or replays a recording, from its present frame on. `length` [s] applies where the options
-// give neither seconds nor frames. `should_continue` is called after every frame; false ends the capture. Throws UsageError, InputError,
+// give neither seconds nor frames. `progress` is called after every frame, and may throw. Throws UsageError, InputError,
 // FileError.
 CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double length,
-                              const std::function<bool(long done, long all)>& should_continue);
+                              const std::function<void(long done, long all)>& progress);
 
 }  // namespace hooke

@@ -71,6 +71,14 @@ void prepare(const Destination& destination) {
     return;
   }
   make_folder(destination.path);
+  // pictures of an earlier capture would follow a shorter one
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(destination.path, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    const bool is_picture = name.starts_with("frame_") && name.ends_with(".png") && name.size() >= 15 &&
+                            name.find_first_not_of("0123456789", 6) == name.size() - 4;
+    if (std::error_code ignored; is_picture) std::filesystem::remove(entry->path(), ignored);
+  }
 }
 
 CaptureSchedule::CaptureSchedule(const CaptureOptions& options, double frame_rate, double length) {

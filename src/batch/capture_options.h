@@ -45,7 +45,8 @@ struct Destination {
 };
 // By extension: .png is a file, .mp4 a video; a folder has none, ends in / or exists. Throws UsageError.
 Destination parse_destination(const std::string& out);
-// Creates the folder, or checks that the picture can be written, before any work is done. Throws FileError.
+// Creates the folder and removes pictures of earlier captures from it, or checks that the picture can be written, before any work is done.
+// Throws FileError.
 void prepare(const Destination& destination);
 
 // Decides which frames become pictures: the start, then `fps` per simulated second, each the first frame that ends at or after its time,

@@ -68,20 +68,21 @@ void CaptureReport::add(const Lab& lab, const std::string& file) {
   json_file_.write(json_.take());
 }
 
-void CaptureReport::finish() {
+void CaptureReport::finish(bool interrupted) {
   json_.end();
+  json_.boolean("interrupted", interrupted);
   json_.end();
   json_file_.write(json_.take() + "\n");
   json_file_.close();
   csv_.close();
 }
 
-void ErrorLimit::check(const Lab& lab, long frame) {
+void ErrorLimit::check(const Lab& lab, const std::string& frame) {
   if (!message_.empty()) return;
   const Accuracy accuracy = lab.accuracy();
   const auto& error = accuracy.accumulated;
   if (error.value && *error.value <= limit_) return;
-  message_ = "frame " + std::to_string(frame) + ", at " + number_text(lab.scene().state.time) + " s: " +
+  message_ = frame + ", at " + number_text(lab.scene().state.time) + " s: " +
              (error.value ? "estimated error " + number_text(*error.value) + " m" : "error not known: " + std::string(error.reason)) +
              ", limit " + format_exact(limit_) + " m";
 }

@@ -17,19 +17,19 @@ class CaptureReport {
   CaptureReport(const std::filesystem::path& folder, const Scene& scene);
   // The present frame of the laboratory, drawn to `file`.
   void add(const Lab& lab, const std::string& file);
-  void finish();
+  void finish(bool interrupted);
 
  private:
   OutputFile csv_, json_file_;
   JsonWriter json_;
 };
 
-// Notes the first frame whose accumulated error exceeds a limit [m], or is so large that the motion cannot be predicted.
+// Notes the first frame, by its name, whose accumulated error exceeds a limit [m], or is so large that the motion cannot be predicted.
 class ErrorLimit {
  public:
   explicit ErrorLimit(double limit) : limit_(limit) {}
-  void check(const Lab& lab, long frame);
-  // "frame 12, at 0.2 s: estimated error 0.002 m, limit 0.001 m"; empty: it was not exceeded.
+  void check(const Lab& lab, const std::string& frame);
+  // "frame_00012.png, at 0.2 s: estimated error 0.002 m, limit 0.001 m"; empty: it was not exceeded.
   const std::string& message() const { return message_; }
 
  private:

@@ -25,16 +25,21 @@ double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clo
 
 constexpr double round_off = 1e-9;
 
-// Computes a frame, and adds its costs.
-void compute_frame(Lab& lab, RunTotals& totals) {
+// Computes a frame, and adds its costs. False: the state is that of the previous frame, and the run ends.
+bool compute_frame(Lab& lab, RunTotals& totals) {
   const double cpu = cpu_seconds(), wall = wall_now();
-  totals.diverged = !lab.step();
+  try {
+    totals.diverged = !lab.step();
+  } catch (const Interrupted&) {
+    totals.interrupted = true;
+  }
   const double measuring = lab.accuracy_cpu_seconds() - totals.accuracy_cpu_seconds;
   totals.cpu_seconds += std::max(0.0, cpu_seconds() - cpu - measuring);
   totals.wall_seconds += std::max(0.0, wall_now() - wall - measuring);
   totals.accuracy_cpu_seconds += measuring;
   totals.force_evaluations += lab.last_frame().force_evaluations();
   totals.factorizations += lab.last_frame().factorizations();
+  return !totals.diverged && !totals.interrupted;
 }
 
 }  // namespace
@@ -98,8 +103,7 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
       last_kept = std::make_shared<const State>(scene.state);
     }
     monitor.begin_frame(scene.system, scene.settings, scene.state);
-    compute_frame(lab, totals);
-    if (totals.diverged) {
+    if (!compute_frame(lab, totals)) {
       // the last good state, unless it was already sampled
       if (!is_sampled) add_sample();
       break;
@@ -139,9 +143,9 @@ RunTotals replay_frames(Lab& lab, const std::shared_ptr<const Recording>& record
     const bool is_ended = !lab.is_playing(), is_sampled = samples.is_due(frame);
     if ((is_sampled || is_ended) && hooks.sample) hooks.sample(scene.state, lab.accuracy());
     if (is_ended) break;
-    compute_frame(lab, totals);
+    const bool is_valid = compute_frame(lab, totals);
     if (hooks.progress) hooks.progress(frame + 1, recording->frames);
-    if (totals.diverged) {
+    if (!is_valid) {
       if (!is_sampled && hooks.sample) hooks.sample(scene.state, lab.accuracy());
       break;
     }

@@ -11,6 +11,9 @@
 
 namespace hooke {
 
+// Thrown by a laboratory's watch_substeps: ends a run, a replay or a capture with its last complete frame.
+struct Interrupted {};
+
 struct RunRequest {
   double seconds = 0.0;  // [s], rounded up to whole frames
   // [s]: samples at the start and at the end of the first frame at or after each multiple, without interpolation; none: only the last state
@@ -24,7 +27,7 @@ struct RunTotals {
   long frames = 0;                               // of a replay, without one that diverged
   double cpu_seconds = 0.0, wall_seconds = 0.0;  // of the run, without measuring its accuracy
   double accuracy_cpu_seconds = 0.0;             // of that
-  bool diverged = false;
+  bool diverged = false, interrupted = false;
   std::optional<long> frames_beyond_tolerance;  // with the method `auto` at the end
   std::vector<double> gas_releases{};           // [s], when tears opened surfaces filled with gas
   long force_evaluations = 0, factorizations = 0;

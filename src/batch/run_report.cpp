@@ -6,9 +6,11 @@
 #include <numeric>
 #include <utility>
 
+#include "base/build_info.h"
 #include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/accuracy_json.h"
+#include "scene/parameter_value.h"
 #include "sim/control/automatic.h"
 #include "sim/methods/integrator.h"
 
@@ -30,6 +32,19 @@ void write_choice(JsonWriter& json, const MethodChoice& choice, double allowed) 
     json.number(*choice.error / allowed);
   else
     json.null();
+}
+
+// Null: the scene does not have it.
+void write_value(JsonWriter& json, const Parameter& parameter, const Scene& scene) {
+  json.key(parameter.name);
+  const bool is_known =
+      (parameter.applies == nullptr || parameter.applies(scene)) && (parameter.is_given == nullptr || parameter.is_given(scene));
+  const double value = is_known ? parameter.read(scene) : 0.0;
+  if (!is_known || !std::isfinite(value)) return json.null();
+  if (&parameter == &dimensions_parameter) return json.integer(scene.system.dimensions);
+  if (parameter.kind == Parameter::Kind::Choice) return json.raw(to_json(value_text(parameter, value)));
+  if (parameter.kind == Parameter::Kind::Switch) return json.boolean(value != 0.0);
+  json.number(value);
 }
 
 }  // namespace
@@ -61,6 +76,7 @@ std::optional<std::vector<Index>> parse_points(const std::optional<std::string>&
 
 JsonReport::JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene) : file_(file) {
   json_.begin_object(JsonLayout::Lines);
+  json_.text("version", program_version);
   json_.text("scene", scene_name);
   json_.integer("points", scene.system.point_count());
   json_.integer("springs", scene.system.spring_count());
@@ -69,6 +85,10 @@ JsonReport::JsonReport(const std::string& file, const std::string& scene_name, c
   if (is_automatic(scene.settings)) json_.number("tolerance", automatic_tolerance(scene.settings));
   allowed_error_ = automatic_tolerance(scene.settings) / scene.settings.frame_rate;
   json_.number("frame_rate", scene.settings.frame_rate);
+  json_.key("parameters");
+  json_.begin_object(JsonLayout::Line);
+  for (const Parameter& parameter : parameters()) write_value(json_, parameter, scene);
+  json_.end();
   json_.key("samples");
   json_.begin_list(JsonLayout::Lines);
 }
@@ -128,6 +148,7 @@ void JsonReport::finish(const RunTotals& totals) {
   json_.number("wall_seconds", totals.wall_seconds);
   json_.number("accuracy_cpu_seconds", totals.accuracy_cpu_seconds);
   json_.boolean("diverged", totals.diverged);
+  json_.boolean("interrupted", totals.interrupted);
   if (totals.frames_beyond_tolerance) json_.integer("frames_beyond_tolerance", *totals.frames_beyond_tolerance);
   if (!totals.gas_releases.empty()) {
     json_.key("gas_releases");

@@ -3,13 +3,16 @@
 #include <atomic>
 
 #include "base/file_limits.h"
+#include "base/threads/thread_team.h"
 #include "edit/apply.h"
 #include "formats/open_file.h"
 #include "scene/parameters.h"
 #include "scene/step_advice.h"
 #include "scene/warnings/strain_limit_warning.h"
 #include "sim/control/automatic.h"
+#include "sim/forces/single_precision.h"
 #include "sim/methods/integrator.h"
+#include "sim/methods/precision.h"
 #include "study/remedy/remedy.h"
 
 namespace hooke {
@@ -57,28 +60,41 @@ ParsedOptions parse(const SteppingOptions& options) {
 
 }  // namespace
 
-void apply_options(LoadedScene& loaded, const SteppingOptions& options, const std::string& name) {
+void set_options(Scene& scene, const SteppingOptions& options, const std::string& name) {
   const auto [integrator, settings] = parse(options);
-  Scene& scene = loaded.scene;
-  const auto limit_warning = [&] { return strain_limit_warning(scene.system, scene.state); };
-  // warnings about settings in the file do not apply once options change them
-  for (const auto& warning : {step_warning(scene.system, scene.state, scene.settings), oscillation_warning(scene.system, scene.settings),
-                              unused_setting_warning(scene.settings), limit_warning()})
-    if (warning) std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
   for (const SetParameter& setting : settings) apply_setting(scene, setting, name);
   if (integrator != nullptr) scene.settings.integrator = integrator;
   if (options.substeps) scene.settings.substeps = static_cast<int>(*options.substeps);
   if (options.frame_rate) scene.settings.frame_rate = *options.frame_rate;
   if (options.tolerance) set_tolerance(scene.settings, *options.tolerance, integrator != nullptr);
   for (const SetParameter& setting : settings) refuse_unused(setting, scene.settings);
+}
+
+void apply_options(LoadedScene& loaded, const SteppingOptions& options, const std::string& name) {
+  Scene& scene = loaded.scene;
+  const auto limit_warning = [&] { return strain_limit_warning(scene.system, scene.state); };
+  // warnings about settings in the file do not apply once options change them
+  for (const auto& warning : {step_warning(scene.system, scene.state, scene.settings), oscillation_warning(scene.system, scene.settings),
+                              unused_setting_warning(scene.settings), limit_warning()})
+    if (warning) std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
+  set_options(scene, options, name);
   // a method that an option names does not need what the file says to that of the file
-  if (integrator == nullptr)
+  if (!options.integrator)
     if (const auto warning = unused_setting_warning(scene.settings)) loaded.warnings.push_back(*warning);
   for (const auto& warning :
        {step_warning(scene.system, scene.state, scene.settings), oscillation_warning(scene.system, scene.settings), limit_warning()})
     if (warning) loaded.warnings.push_back(*warning);
   if (options.substeps && is_automatic(scene.settings))
     loaded.warnings.push_back("substeps: " + std::to_string(scene.settings.substeps) + ": not used: auto chooses the substeps");
+}
+
+Execution make_execution(const Lab& lab, int threads, Precision precision) {
+  Execution execution{.team = threads > 1 ? std::make_shared<ThreadTeam>(threads) : nullptr, .single = nullptr};
+  if (precision == Precision::Double) return execution;
+  if (const std::string needs = needs_double_precision(lab.plan(), lab.scene().settings); !needs.empty())
+    throw OptionError("precision", "single", "not for " + needs);
+  execution.single = std::make_shared<SinglePrecision>();
+  return execution;
 }
 
 LoadedScene load_with_options(const SceneOptions& options) {

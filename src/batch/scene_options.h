@@ -21,6 +21,7 @@ struct SteppingOptions {
   std::optional<double> frame_rate;   // [1/s]
   std::optional<double> tolerance;    // [m]
   std::vector<std::string> settings;  // NAME=VALUE
+  bool operator==(const SteppingOptions&) const = default;
 };
 
 struct SceneOptions : SteppingOptions {
@@ -32,8 +33,15 @@ struct SceneOptions : SteppingOptions {
 // "dop853, ..."
 std::string ids_of_adaptive_integrators();
 
-// Applies the options to a scene that was loaded from `name`, and replaces the warning about its step. Throws UsageError, InputError.
+// Applies the options to a scene that was loaded from `name`. Throws UsageError, InputError.
+void set_options(Scene& scene, const SteppingOptions& options, const std::string& name);
+
+// Sets the options of a scene loaded from `name`, and replaces the warning about its step. Throws UsageError, InputError.
 void apply_options(LoadedScene& loaded, const SteppingOptions& options, const std::string& name);
+
+// On `threads` threads; in single precision, which throws UsageError where double is needed.
+enum class Precision { Double, Single };
+Execution make_execution(const Lab& lab, int threads, Precision precision = Precision::Double);
 
 // Loads the scene and applies the options. Throws UsageError, before reading a large file, InputError, FileError.
 LoadedScene load_with_options(const SceneOptions& options);

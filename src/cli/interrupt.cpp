@@ -5,10 +5,12 @@
 #include <atomic>
 #include <chrono>
 
+#include "batch/run_frames.h"
+
 namespace hooke {
 namespace {
 
-std::atomic<bool> interrupted = false;
+std::atomic<int> interrupted = 0;      // by this signal
 std::atomic<long> interrupted_at = 0;  // [ms]
 
 // The first signal asks to end in order: unfinished files are removed, other programs are ended. A later one ends the program at once. One
@@ -16,10 +18,10 @@ std::atomic<long> interrupted_at = 0;  // [ms]
 void handle(int signal) {
   using namespace std::chrono;
   const long now = duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
-  if (!interrupted.exchange(true)) {
-    interrupted_at = now;
-    return;
-  }
+  long never = 0;
+  interrupted_at.compare_exchange_strong(never, now);
+  int none = 0;
+  if (interrupted.compare_exchange_strong(none, signal)) return;
   if (now - interrupted_at < 1000) return;
   ::signal(signal, SIG_DFL);
   raise(signal);
@@ -30,10 +32,23 @@ void handle(int signal) {
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = handle;
+  sigaddset(&action.sa_mask, SIGINT);
+  sigaddset(&action.sa_mask, SIGTERM);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }
 
-bool was_interrupted() { return interrupted; }
+bool was_interrupted() { return interrupted != 0; }
+
+int exit_interrupted() { return 128 + interrupted; }
+
+void throw_if_interrupted() {
+  if (was_interrupted()) throw Interrupted();
+}
+
+void catch_interrupts(Lab& lab) {
+  catch_interrupts();
+  lab.watch_substeps(&throw_if_interrupted);
+}
 
 }  // namespace hooke

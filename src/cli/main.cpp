@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <cctype>
 #include <iostream>
 
 #include "base/errors.h"
@@ -38,6 +39,45 @@ void check_command(const std::string& name, const DeclaredCommands& declared) {
   throw UsageError(printable(name, 80) + ": no such command: " + must_be_one_of(names, name) + " (see --help)");
 }
 
+// An option that the command does not have, which CLI11 would only report after a required one that is missing; empty: there is none.
+std::string unknown_option(const CLI::App& command, int argc, char** argv) {
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i], name = word.substr(0, word.find('='));
+    const bool is_option = word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(static_cast<unsigned char>(word[1])) != 0);
+    if (word == "--") break;
+    if (!is_option) continue;
+    if (const CLI::Option* known = command.get_option_no_throw(word[1] == '-' ? name : name.substr(0, 2))) {
+      if (known->get_items_expected_max() > 0 && word == name) ++i;  // its value
+      continue;
+    }
+    std::string names;
+    for (const CLI::Option* option : command.get_options())
+      for (const std::string& known : option->get_lnames()) names += (names.empty() ? "--" : ", --") + known;
+    const std::string nearest = did_you_mean(names, name, 1);
+    return printable(name, 80) + ": no such option" + (nearest.empty() ? "" : "; " + nearest);
+  }
+  return {};
+}
+
+std::string describe(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  if (!parsed.empty())
+    if (std::string unknown = unknown_option(*parsed.front(), argc, argv); !unknown.empty()) return unknown;
+  const std::string what = printable(error.what());
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    std::string words;  // CLI11 reverses them
+    for (const std::string& word : app.remaining(true)) words += (words.empty() ? "" : " ") + word;
+    return "not expected: " + printable(words);
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && what.ends_with(" missing"))
+    return what.substr(0, what.find(' ')) + " its value is missing";
+  // other numbers and words are validated (within, one_of)
+  constexpr std::string_view conversion = "Could not convert: ";
+  const std::size_t equals = what.find(" = ");
+  if (!what.starts_with(conversion) || equals == std::string::npos) return what;
+  return what.substr(conversion.size(), equals - conversion.size()) + ": " + what.substr(equals + 3) + ": not a whole number";
+}
+
 int handle(int argc, char** argv) {
   CLI::App app;
   const DeclaredCommands declared = declare_command_line(app);
@@ -46,7 +86,7 @@ int handle(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // help, version or limits, printed to stdout
-    return report(printable(error.what()) + " (see --help)", exit_code::wrong_usage);
+    return report(describe(error, app, argc, argv) + " (see --help)", exit_code::wrong_usage);
   }
   for (const auto& [sub, work] : declared)
     if (sub->parsed()) return work();

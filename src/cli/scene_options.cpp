@@ -6,7 +6,6 @@
 #include "base/errors.h"
 #include "base/file_limits.h"
 #include "base/printable.h"
-#include "base/threads/thread_team.h"
 #include "formats/file_kind.h"
 #include "sim/forces/bands.h"
 
@@ -96,7 +95,12 @@ void add_threads_option(CLI::App& app, int& threads) {
       ->capture_default_str();
 }
 
-std::shared_ptr<ThreadTeam> team_of(int threads) { return threads > 1 ? std::make_shared<ThreadTeam>(threads) : nullptr; }
+void add_fail_above_option(CLI::App& app, std::optional<double>& limit) {
+  app.add_option("--fail-above", limit,
+                 "Exit with 1 if the accumulated error exceeds this or is not known, and name the first such frame [m]")
+      ->type_name("METERS")
+      ->check(within(positive));
+}
 
 void add_shard_option(CLI::App& app, std::string& shard) {
   app.add_option("--shard", shard,

@@ -25,7 +25,9 @@ std::optional<std::string> first_stepping_option(const CLI::App& app);
 
 // Declares --threads N, on which frames are computed.
 void add_threads_option(CLI::App& app, int& threads);
-std::shared_ptr<ThreadTeam> team_of(int threads);
+
+// Declares --fail-above: the limit of an ErrorLimit (batch/capture_report.h) [m].
+void add_fail_above_option(CLI::App& app, std::optional<double>& limit);
 
 // Declares --shard I/N, of which `shard` gets the text.
 void add_shard_option(CLI::App& app, std::string& shard);

@@ -21,6 +21,8 @@ constexpr Palette on_dark{.point = {205, 214, 222},
                           .hover = {255, 255, 255},
                           .failed = {255, 0, 170},
                           .crossed = {64, 240, 200},
+                          .velocity = {120, 220, 130},
+                          .force = {240, 130, 220},
                           .shadow = {8, 10, 13, 140}};
 
 constexpr Palette on_light{.point = {70, 82, 94},
@@ -33,6 +35,8 @@ constexpr Palette on_light{.point = {70, 82, 94},
                            .hover = {20, 24, 28},
                            .failed = {200, 0, 130},
                            .crossed = {0, 128, 108},
+                           .velocity = {20, 120, 40},
+                           .force = {170, 20, 140},
                            .shadow = {52, 58, 70, 105}};
 
 // Blue through gray to orange: distinguishable with every common color vision deficiency; lightness changes outwards from the middle.

@@ -19,7 +19,7 @@ inline Rgba rgba(const Color& color, double opacity = 1.0) {
 
 // Colors with enough contrast on a dark or light background.
 struct Palette {
-  Color point, nailed, selected, spring, face, collider, line, hover, failed, crossed;
+  Color point, nailed, selected, spring, face, collider, line, hover, failed, crossed, velocity, force;
   Rgba shadow;  // full shadow
 };
 Palette palette_for(const Color& background);

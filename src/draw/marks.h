@@ -18,6 +18,14 @@ struct GhostNetwork {
   Color color{};
 };
 
+// Vectors at points, drawn as arrows.
+struct Arrows {
+  enum class Kind { Velocity, Force };
+  Kind kind;
+  double scale = 0.0;                        // [s] or [m/N], lengths by which the vectors are multiplied
+  std::vector<std::pair<Vec3, Vec3>> lines;  // [m], from tail to tip
+};
+
 struct Marks {
   std::vector<PointId> selected_points;
   std::vector<SpringId> selected_springs;
@@ -32,6 +40,7 @@ struct Marks {
   std::vector<std::pair<Vec3, Vec3>> ghost_lines;     // springs of a placement preview
   std::vector<Vec3> ghost_nails;                      // nails of a placement preview
   std::vector<GhostNetwork> ghost_networks;           // the first is on top
+  std::vector<Arrows> arrows;
 };
 
 }  // namespace hooke

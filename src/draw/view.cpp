@@ -13,9 +13,10 @@
 namespace hooke {
 namespace {
 
-void clear(const Color& background) {
+void clear(const Color& background, float opacity) {
   glDepthMask(GL_TRUE);
-  glClearColor(background.red / 255.0f, background.green / 255.0f, background.blue / 255.0f, 1.0f);
+  // readers expect colors multiplied by the opacity
+  glClearColor(opacity * background.red / 255.0f, opacity * background.green / 255.0f, opacity * background.blue / 255.0f, opacity);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
@@ -52,6 +53,14 @@ void add_ghost_networks(const DrawContext& context, Strokes& strokes, PointImpos
           .radius = 2.5f * scale, .body = rgba(ghost->color, 0.5), .ring = 4.5f * scale, .ring_color = rgba(ghost->color)};
       impostors.add(context.projection, clip, context.projection.project(clip), point);
     }
+  }
+}
+
+void add_arrows(const DrawContext& context, Strokes& strokes) {
+  const auto scale = static_cast<float>(context.options.scale);
+  for (const Arrows& arrows : context.marks.arrows) {
+    const Color color = arrows.kind == Arrows::Kind::Velocity ? context.palette.velocity : context.palette.force;
+    for (const auto& [from, to] : arrows.lines) strokes.add_arrow(context.projection, from, to, rgba(color), 2.0f * scale, 9.0f * scale);
   }
 }
 
@@ -121,6 +130,7 @@ void View::Parts::gather(const DrawContext& context) {
     network_renderer.add_points(context, context.options.points ? NetworkRenderer::Subset::All : NetworkRenderer::Subset::OutsideCloth,
                                 points);
   network_renderer.add_marks(context, marked_springs, marked_points);
+  add_arrows(context, ghost_springs);
   add_ghosts(context, ghost_springs, ghost_points);
 }
 
@@ -128,7 +138,7 @@ void View::Parts::draw_scene(const DrawContext& context, const Viewport& place, 
   gather(context);
   target.begin(width, height);
   glDisable(GL_SCISSOR_TEST);
-  clear(context.options.background);
+  clear(context.options.background, context.options.transparent ? 0.0f : 1.0f);
   glViewport(place.x, height - place.y - place.height, place.width, place.height);
   set_state(context.snapshot.system->dimensions == 3);
   glEnable(GL_SCISSOR_TEST);
@@ -140,7 +150,7 @@ void View::Parts::draw_scene(const DrawContext& context, const Viewport& place, 
   if (!multisampled.is_empty() && !target.begin_multisampled(context.options.samples)) multisampled = {};
   if (!multisampled.is_empty()) {
     set_scissor(multisampled);
-    clear(context.options.background);
+    clear(context.options.background, context.options.transparent ? 0.0f : 1.0f);
     draw_environment(context, true);
     target.resolve(multisampled);
   }
@@ -223,6 +233,7 @@ ViewOptions options_for(const ViewSettings& settings, const ClothTexture& cloth_
   options.springs = settings.springs;
   options.surface = settings.surface;
   options.strain_colors = settings.strain_colors;
+  options.coils = settings.coils;
   options.shadows = settings.shadows;
   options.cloth_texture = cloth_texture;
   if (settings.background) options.background = *settings.background;
@@ -247,6 +258,6 @@ void View::show() const {
   parts_->target.show();
   glFinish();
 }
-Image View::read() const { return parts_->target.read(); }
+Image View::read(bool with_opacity) const { return parts_->target.read(with_opacity); }
 
 }  // namespace hooke

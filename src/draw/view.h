@@ -20,6 +20,10 @@ struct Viewport {
 
 struct ViewOptions {
   bool points = true, springs = true, surface = true, colliders = true, grid = true;
+  bool coils = false;                       // springs are drawn as coils
+  bool velocities = false, forces = false;  // of points, as arrows
+  bool point_numbers = false;
+  bool transparent = false;    // no background
   bool shadows = true;         // of objects near the ground, a ball or a box
   bool strain_colors = true;   // on springs, or on the surface if springs are hidden
   ClothTexture cloth_texture;  // on the surface
@@ -51,7 +55,8 @@ class View {
   void* upload_picture(const Picture& picture);
   // Copies the picture to the framebuffer of the window, and waits until it is done so that it can be timed.
   void show() const;
-  Image read() const;
+  // With the opacity of each pixel, if wanted.
+  Image read(bool with_opacity = false) const;
 
   // Strain [1] at the ends of the color scale for this snapshot, for the legend: symmetric, rounded up to 1, 2 or 5 x 10^n.
   static double strain_scale(const Snapshot& snapshot);
@@ -66,7 +71,7 @@ class View {
 // Loads the OpenGL functions of the current context and checks for version 3.3. Returns an error message, empty on success.
 std::string load_gl();
 
-// PNG, 8-bit RGB.
+// PNG, 8-bit RGB or RGBA.
 std::string encode_png(const Image& image);
 // Replaces the file when everything is written (base/atomic_write.h). Throws FileError.
 void write_png(const Image& image, const std::filesystem::path& file);

@@ -3,6 +3,8 @@
 #include "base/errors.h"
 #include "base/file_limits.h"
 #include "edit/apply.h"
+#include "formats/scene_file.h"
+#include "scene/parameters.h"
 
 namespace hooke {
 namespace {
@@ -73,6 +75,12 @@ void append_parts(Scene& scene, const Scene& part) {
   SetForces forces{scene.system.forces};
   forces.forces.insert(forces.forces.end(), part.system.forces.begin(), part.system.forces.end());
   if (!part.system.forces.empty()) apply(scene, forces, effect);
+}
+
+void add_members(Scene& scene, std::string_view members, const std::string& name) {
+  const Scene part = parse_members(members, name, scene);
+  append_parts(scene, part);
+  copy_surroundings(part, scene);
 }
 
 }  // namespace hooke

@@ -16,9 +16,10 @@
 
 namespace hooke {
 
-using CommandVariant = std::variant<Insert, Remove, SetNailed, Move, SetPointColor, SetPointProperty, SetSpringProperty, SetParameter,
-                                    RestoreParameter, SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity,
-                                    SetColliders, SetForces, SetTexture, GoToState, SetTorn, MarkTorn, Replace>;
+using CommandVariant =
+    std::variant<Insert, Remove, SetNailed, Move, SetVelocity, SetPointColor, SetPointProperty, SetSpringProperty, SetSpringLaw,
+                 SetParameter, RestoreParameter, SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity, SetColliders,
+                 SetForces, SetText, SetPlots, SetTexture, GoToState, SetTorn, MarkTorn, Replace>;
 
 // A class, not an alias, so that the commands can name it in the type of their inverse.
 struct Command : CommandVariant {

@@ -19,8 +19,10 @@ template <class T> inline constexpr auto field_names = [] {
 }();
 
 template <> inline constexpr std::array<std::string_view, 5> field_names<Point> = {"id", "nailed", "color", "mass", "radius"};
-template <> inline constexpr std::array<std::string_view, 8> field_names<Spring> =
-    {"id", "first", "second", "family", "stiffness", "damping", "rest_length", "break_strain"};
+template <> inline constexpr std::array<std::string_view, 9> field_names<Spring> =
+    {"id", "first", "second", "family", "stiffness", "damping", "rest_length", "break_strain", "law"};
+template <> inline constexpr std::array<std::string_view, 8> field_names<SpringLaw> =
+    {"force", "k3", "amplitude", "frequency", "phase", "rate", "min_rest_length", "max_rest_length"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Face> = {"points", "rest_angle"};
 template <> inline constexpr std::array<std::string_view, 8> field_names<PairContact> =
     {"points", "springs", "faces", "thickness", "restitution", "friction", "frequency", "damping_ratio"};
@@ -29,7 +31,7 @@ template <> inline constexpr std::array<std::string_view, 2> field_names<Plane> 
 template <> inline constexpr std::array<std::string_view, 2> field_names<Sphere> = {"center", "radius"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Box> = {"min", "max"};
 template <> inline constexpr std::array<std::string_view, 5> field_names<ColliderPath> = {"oscillate", "frequency", "phase", "spin", "belt"};
-template <> inline constexpr std::array<std::string_view, 5> field_names<Collider> = {"shape", "restitution", "friction", "solid", "path"};
+template <> inline constexpr std::array<std::string_view, 6> field_names<Collider> = {"shape", "restitution", "friction", "solid", "one_way", "path"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Force> = {"type", "on", "values"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Patch> = {"points", "shares"};
 template <> inline constexpr std::array<std::string_view, 8> field_names<EnergySupply> = {
@@ -54,6 +56,7 @@ template <class T> inline constexpr std::nullptr_t value_names = nullptr;
 template <> inline constexpr std::array<std::string_view, 2> value_names<PointProperty> = {"mass", "radius"};
 template <> inline constexpr std::array<std::string_view, 4> value_names<SpringProperty> = {"stiffness", "damping", "rest_length", "break_strain"};
 template <> inline constexpr std::array<std::string_view, 4> value_names<SpringFamily> = {"none", "structural", "shear", "bend"};
+template <> inline constexpr std::array<std::string_view, 4> value_names<SpringForce> = {"linear", "cable", "strut", "cubic"};
 template <> inline constexpr std::array<std::string_view, 2> value_names<GrabKind> = {"hold", "pull"};
 // clang-format on
 

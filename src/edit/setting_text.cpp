@@ -39,7 +39,7 @@ const Parameter& parse_parameter(const std::string& name) {
 SetParameter parse_setting(const std::string& name, const std::string& value) {
   const Parameter& parameter = parse_parameter(name);
   const std::optional<double> parsed = parse_value(parameter, value);
-  if (!parsed) throw OptionError("set", printable(name + "=" + value, 80), limit_text(parameter));
+  if (!parsed) throw OptionError("set", printable(name + "=" + value, 80), why_refused(parameter, value));
   return {.parameter = &parameter, .value = *parsed};
 }
 

@@ -215,8 +215,10 @@ struct Text<T> {
         return;
       }
     if (std::is_same_v<Member, std::optional<PairContact>> || std::is_same_v<Member, decltype(Face::rest_angle)> ||
-        std::is_same_v<Member, std::optional<double>> || std::is_same_v<Member, std::optional<MethodChoice>> ||
-        (std::is_same_v<T, PairContact> && (name == "frequency" || name == "damping_ratio")) || std::is_same_v<T, MethodChoice>)
+        std::is_same_v<Member, std::optional<double>> || std::is_same_v<Member, std::optional<SpringLaw>> ||
+        std::is_same_v<Member, std::optional<MethodChoice>> ||
+        (std::is_same_v<T, PairContact> && (name == "frequency" || name == "damping_ratio")) ||
+        (std::is_same_v<T, Collider> && name == "one_way") || std::is_same_v<T, MethodChoice>)
       return;  // added since the first version
     field.refuse_missing(name, "must be given");
   }

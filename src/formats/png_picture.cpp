@@ -89,6 +89,6 @@ constinit const FileKind png_file{.extension = ".png",
                                   .title = "Picture",
                                   .source = ExportSource::Picture,
                                   .label = "Picture",
-                                  .description = "The current view of the scene, without the panels."};
+                                  .description = "The current view of the scene, or the window."};
 
 }  // namespace hooke

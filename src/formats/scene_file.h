@@ -29,6 +29,10 @@ LoadedScene load_scene_from_copy(const std::filesystem::path& copy, const std::f
 LoadedScene parse_scene(std::string_view text, const std::string& name, const Progress& progress);
 LoadedScene parse_scene(std::string_view text, const std::string& name);
 
+// Members of a scene file without braces, as additions to `scene`: lists of parts, gravity, wind, simulation, contact and other parameters.
+// What they leave out of these is as in `scene`. Throws InputError also for any other member, and for unknown ones.
+Scene parse_members(std::string_view members, const std::string& name, const Scene& scene);
+
 // The scene as JSON, which reads back as the same scene, bit for bit. Generators are kept if their points and springs are
 // unchanged.
 std::string format_scene(const Scene& scene, const Progress& progress = {});

@@ -11,6 +11,7 @@
 #include "base/own_library.h"
 #include "base/printable.h"
 #include "base/read_file.h"
+#include "formats/file_kind.h"
 #include "formats/gallery.h"
 #include "formats/scene_file.h"
 
@@ -19,34 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_inside(const fs::path& file, const fs::path& folder) {
-  const fs::path relative_path = file.lexically_relative(folder);
-  return !relative_path.empty() && *relative_path.begin() != "..";
-}
-
-// The folder of an installation that contains the library, at any depth.
-std::optional<fs::path> scenes_beside(const fs::path& library) {
-  const fs::path relative = fs::path("share") / "hooke" / "scenes";
-  std::error_code error;
-  for (fs::path folder = library.parent_path(); folder != folder.parent_path(); folder = folder.parent_path())
-    if (fs::is_directory(folder / relative, error)) return folder / relative;
-  return std::nullopt;
-}
-
-// A program or library in the build tree uses the scenes of the source tree. An installed one uses those at the relative path of the
-// installation, even if it was moved, or those at the configured path.
+// The folder of the shipped scenes: beside the installed or built program or library, wherever it was moved; else the configured one.
 fs::path find_folder() {
   std::error_code error;
-  if (const fs::path library = own_library(); !library.empty()) {
-    if (is_inside(library, build_folder)) return fs::path(source_scenes);
-    return scenes_beside(library).value_or(fs::path(installed_scenes));
-  }
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    if (is_inside(program, build_folder)) return fs::path(source_scenes);
-    fs::path relative_scenes = (program.parent_path() / scenes_from_programs).lexically_normal();
-    if (fs::is_directory(relative_scenes, error)) return relative_scenes;
-  }
+  const fs::path library = own_library(), beside = library.empty() ? fs::read_symlink("/proc/self/exe", error) : library;
+  const fs::path scenes = fs::path("share") / "hooke" / "scenes";
+  for (fs::path folder = beside.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+    if (fs::is_directory(folder / scenes, error)) return folder / scenes;
   return fs::path(installed_scenes);
 }
 
@@ -132,14 +112,18 @@ fs::path find_scene(const std::string& name, std::span<const std::string_view> c
       if (scene.id == name) return scene.file;
   if (fs::exists(status)) return name;
   if (commands.empty() && shipped_scenes().empty())
-    throw FileError(printable(name) + ": no such file, and no shipped scenes in " + printable((assets_folder() / "scenes").native()));
+    throw MissingFileError(printable(name) + ": no such file, and no shipped scenes in " +
+                           printable((assets_folder() / "scenes").native()));
+  const bool is_file_name = name.find('/') != std::string::npos || (fs::path(name).has_extension() && find_file_kind(name) != nullptr);
   std::string choices;
   for (const std::string_view command : commands) choices.append(command).append(", ");
   choices += ids();
   // the nearest names first: the list is long
   const std::string nearest = nearest_names(name, choices);
-  throw FileError(printable(name) + (commands.empty() ? ": no such file or shipped scene" : ": no such command, file or shipped scene") +
-                  (nearest.empty() ? ": must be one of " : "; " + nearest + " All names: ") + choices);
+  if (is_file_name) throw MissingFileError(printable(name) + ": no such file" + (nearest.empty() ? "" : "; " + nearest));
+  throw MissingFileError(printable(name) +
+                         (commands.empty() ? ": no such file or shipped scene" : ": no such command, file or shipped scene") +
+                         (nearest.empty() ? ": must be one of " : "; " + nearest + " All names: ") + choices);
 }
 
 }  // namespace hooke

@@ -102,9 +102,9 @@ Named quantity_of(const Command& command) {
 bool can_cause_failure(const Command& command) {
   return std::visit(
       []<class T>(const T&) {
-        return !std::is_same_v<T, SetPointColor> && !std::is_same_v<T, SetTexture> && !std::is_same_v<T, GoToState> &&
-               !std::is_same_v<T, SetTorn> && !std::is_same_v<T, MarkTorn> && !std::is_same_v<T, Replace> &&
-               !std::is_same_v<T, ReleaseHand>;
+        return !std::is_same_v<T, SetPointColor> && !std::is_same_v<T, SetText> && !std::is_same_v<T, SetPlots> &&
+               !std::is_same_v<T, SetTexture> && !std::is_same_v<T, GoToState> && !std::is_same_v<T, SetTorn> &&
+               !std::is_same_v<T, MarkTorn> && !std::is_same_v<T, Replace> && !std::is_same_v<T, ReleaseHand>;
       },
       command);
 }
@@ -136,7 +136,7 @@ std::string change_text(const Command& command, const std::string& before, const
   const Named quantity = quantity_of(command);
   const std::string after = value_before(command, scene);
   if (quantity.name.empty() || before.empty() || after.empty()) return describe(command);
-  return quantity.name + ": " + before + " -> " + after + (quantity.unit.empty() ? "" : " " + quantity.unit);
+  return quantity.name + ": " + before + " \u2192 " + after + (quantity.unit.empty() ? "" : " " + quantity.unit);
 }
 
 }  // namespace hooke

@@ -9,14 +9,6 @@
 
 namespace hooke {
 
-// An edit that affects the motion, with the gesture that it is part of and the time [s] of the run.
-struct RecordedChange {
-  RecentChange change;
-  std::string before;
-  Gesture gesture = 0;
-  double time = 0.0;
-};
-
 // Whether a command affects the motion and is an edit, not the laboratory's own: only these can make a run diverge.
 bool can_cause_failure(const Command& command);
 

@@ -31,10 +31,10 @@ std::string describe_location(const Divergence& divergence, const System& system
   return location.empty() ? "the scene" : location;
 }
 
-// "600,000-fold" to two digits, "10^12-fold" for more than a billion.
+// "600,000-fold" to two digits, a power of ten for more than a billion.
 std::string describe_growth(double factor) {
   if (!std::isfinite(factor)) return "without limit";
-  if (factor >= 1e9) return "10^" + format("%.0f", std::floor(std::log10(factor))) + "-fold";
+  if (factor >= 1e9) return number_text(std::pow(10.0, std::floor(std::log10(factor))), 1) + "-fold";
   const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(factor)) - 1.0));
   std::string digits = format("%.0f", unit * std::round(factor / unit));
   for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, ",");

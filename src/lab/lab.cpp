@@ -7,6 +7,7 @@
 
 #include "base/overloaded.h"
 #include "edit/tears.h"
+#include "lab/change_text.h"
 #include "lab/large_run.h"
 
 namespace hooke {
@@ -19,23 +20,18 @@ double milliseconds_since(Clock::time_point start) { return std::chrono::duratio
 // So that a frame repeated with half the step, of twice the substeps, is done before the next one is, 40 frames later.
 constexpr long substeps_per_repeated = 20;
 
-// Weight of the newest value in the displayed time per frame.
-constexpr double smoothing = 0.1;
-
 // Tears in consecutive frames without a grab are one step of the history.
 constexpr Gesture tearing_gesture = std::numeric_limits<Gesture>::max();
 
-void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown + smoothing * (value - shown); }
-
 }  // namespace
 
-Lab::Lab(Scene scene, KeepStart keep) : measures_at_once_(keep == KeepStart::No) {
+Lab::Lab(Scene scene, KeepStart keep) : measuring_{.at_once = keep == KeepStart::No} {
   if (keep == KeepStart::No) {
     scene_ = std::move(scene);
     reset_session();
     return;
   }
-  meter_.set_mode(AccuracyMode::Full);
+  measuring_.meter.set_mode(AccuracyMode::Full);
   open(std::make_shared<const Scene>(std::move(scene)));
   publish();
 }
@@ -46,7 +42,8 @@ void Lab::submit(Control control, Gesture gesture) { queue_.emplace_back(std::mo
 // Brings the Plan and the energy up to date, and discards the frame in progress unless the edit does not affect it.
 void Lab::update_plan(Effect effect) {
   if (!effect.invalidates_frame()) return;
-  drop_frame();
+  // the plan is made again where the structure changes
+  drop_frame(!effect.structure);
   frame_.expect_change();
   companions_.restart();
   if (effect.structure) {
@@ -59,22 +56,22 @@ void Lab::update_plan(Effect effect) {
 }
 
 // Discards the frame in progress, and restores the springs that it broke.
-void Lab::drop_frame() {
-  if (frame_in_progress_ && !frame_.broken().empty()) refresh_values(plan_, scene_.system);
-  frame_in_progress_ = false;
+void Lab::drop_frame(bool restores_springs) {
+  if (restores_springs && progress_.in_frame && !frame_.broken().empty()) refresh_values(plan_, scene_.system);
+  progress_.in_frame = false;
   record_held_edits();
 }
 
 // An edit that does not affect the frame in progress takes effect after it, and is recorded there.
 void Lab::record_edit(const Command& command) {
-  if (frame_in_progress_)
-    held_edits_.push_back(command);
+  if (progress_.in_frame)
+    progress_.held_edits.push_back(command);
   else
     recorder_.record(command, scene_);
 }
 
 void Lab::record_held_edits() {
-  for (const Command& command : std::exchange(held_edits_, {})) recorder_.record(command, scene_);
+  for (const Command& command : std::exchange(progress_.held_edits, {})) recorder_.record(command, scene_);
 }
 
 void Lab::edit(const Command& command, Gesture gesture, const std::string& name, std::optional<History::Of> known) {
@@ -86,10 +83,10 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
     return;
   }
 
-  const bool was_in_progress = frame_in_progress_;
+  const bool was_in_progress = progress_.in_frame;
   const Settings settings = scene_.settings;
   if (const auto* set = std::get_if<SetForces>(&command)) start_.record_leaks(scene_.system.forces, set->forces);
-  if (std::holds_alternative<GoToState>(command) || std::holds_alternative<Replace>(command)) keep_start();
+  if (std::holds_alternative<GoToState>(command) || std::holds_alternative<Replace>(command)) start_.keep_edits(scene_);
   const History::Of of = known.value_or(changed_by(command));
   const double before = energy_.total();
   const std::string value = value_before(command, scene_);
@@ -97,8 +94,8 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   Effect effect;
   std::vector<Command> inverse = apply(scene_, command, effect);
   update_plan(effect);
-  if (can_cause_failure(command) && start_.scene()) record_change(command, value, inverse, gesture);
-  if (was_in_progress && !frame_in_progress_) must_finish_frame_ = true;
+  if (can_cause_failure(command) && start_.scene()) failure_.add_change(command, value, inverse, gesture, scene_);
+  if (was_in_progress && !progress_.in_frame) progress_.must_finish = true;
   if (std::holds_alternative<Replace>(command))
     initialize_supply(scene_.system, scene_.state);
   else
@@ -107,21 +104,21 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   pass_edit_to_meter(effect, settings);
   if (effect.structure || effect.motion || is_grab(command)) resolve_divergence();
   check_divergence();
-  if (is_grab(command)) grab_gesture_ = gesture;
+  if (is_grab(command)) drag_.grab = gesture;
   // a drag is one step, and its end is not a separate one
   if (inverse.empty() || std::holds_alternative<ReleaseHand>(command)) return;
   if (state) return_to_state(state, inverse);
   history_.record(name.empty() ? describe(command) : name, std::move(inverse), gesture, of);
-  if (of == History::Of::Document) start_is_edited_ = start_is_edited_ || is_at_start();
+  if (of == History::Of::Document && is_at_start()) start_.record_edit();
   if (const auto* insert = std::get_if<Insert>(&command); insert != nullptr && !is_at_start()) start_.record_added(*insert);
   if (const auto* set = std::get_if<SetNailed>(&command))
     for (const SetNailed::Item& item : set->items)
       if (item.nailed) start_.forget_release(item.point);
-  ++edits_;
+  ++tallies_.edits;
 }
 
 // The scene has not run yet, or is back at its start: what is moved now is moved at the start too.
-bool Lab::is_at_start() const { return start_.scene() && !running_ && scene_.state.time == start_.scene()->state.time; }
+bool Lab::is_at_start() const { return start_.scene() && !clock_.is_running() && scene_.state.time == start_.scene()->state.time; }
 
 // Interaction with a running scene does not change the document: going back to the start restores what the hand dragged, tore or released.
 History::Of Lab::changed_by(const Command& command) const {
@@ -137,6 +134,7 @@ History::Of Lab::changed_by(const Command& command) const {
                         [](const MarkTorn&) { return Of::Run; },
                         [](const Replace&) { return Of::Run; },
                         [&](const Move&) { return of_places; },
+                        [&](const SetVelocity&) { return of_places; },
                         [&](const SetNailed& set) {
                           const auto changes = [&](const SetNailed::Item& item) {
                             if (item.nailed) return !start_.is_nailed(item.point);
@@ -156,21 +154,34 @@ History::Of Lab::changed_by(const Command& command) const {
 // A change of parameters does not hide why a run stopped, unless it resolves the cause: the step was beyond the limit of the method and no
 // longer is.
 void Lab::check_divergence() {
-  if (!divergence_) return;
-  const bool is_stable = scene_.settings.substep() <= StepLimits(plan_.spectrum).stable_step(*scene_.settings.integrator);
-  if (is_stable && was_unstable_) resolve_divergence();
+  if (failure_.is_step_mended(scene_, plan_)) resolve_divergence();
 }
 
 // What is measured of the run that failed says nothing about the one that follows.
 void Lab::resolve_divergence() {
-  if (divergence_) meter_.restart();
-  divergence_.reset();
+  if (failure_.is_known()) measuring_.meter.restart();
+  failure_.resolve();
 }
 
 // Edits that discard every frame in progress would stop the clock: after one discarded frame, edits wait until the next is finished.
 bool Lab::must_wait_for_frame() const {
-  return frame_in_progress_ && must_finish_frame_ &&
+  return progress_.in_frame && progress_.must_finish &&
          std::ranges::all_of(queue_, [](const auto& queued) { return std::holds_alternative<Command>(queued.first); });
+}
+
+// A drag in a run moves what the point touches and is attached to as well, and the run goes on: a point that is put back alone may be
+// on the other side of a sheet. Undo returns to the state before the drag. Null: the command is no such drag.
+std::shared_ptr<const State> Lab::state_before_drag(const Command& command, Gesture gesture, History::Of of) {
+  if (of != History::Of::Run || !(is_grab(command) || std::holds_alternative<Move>(command))) return nullptr;
+  if (gesture == 0 || gesture != drag_.gesture) drag_.before = std::make_shared<const State>(scene_.state);
+  drag_.gesture = gesture;
+  return drag_.before;
+}
+
+void Lab::return_to_state(const std::shared_ptr<const State>& state, std::vector<Command>& inverse) {
+  if (inverse.empty()) return;
+  std::erase_if(inverse, [](const Command& command) { return std::holds_alternative<Move>(command); });
+  inverse.push_back(GoToState{state});
 }
 
 void Lab::apply_queue() {
@@ -204,7 +215,7 @@ void Lab::check_played_frame() {
   playback_.compare(scene_.state, scene_.system.point_count());
   if (playback_.is_on() && !playback_.is_after_last_frame()) return;
   play_edits();
-  running_ = false;
+  clock_.set_running(false);
 }
 
 // States are kept only for interactive use: not for runs without a start.
@@ -215,13 +226,13 @@ void Lab::add_to_timeline(bool continues) {
 
 void Lab::begin_frame() {
   play_edits();
-  keep_start();
+  start_.keep_edits(scene_);
   if (frame_history_.timeline().empty() || frame_history_.timeline().last_time() != scene_.state.time) add_to_timeline(false);
   Settings settings = scene_.settings;
-  settings.measures_damping = meter_.mode() != AccuracyMode::Off;
+  settings.measures_damping = measuring_.meter.mode() != AccuracyMode::Off;
   frame_.begin(plan_, scene_.system, settings, scene_.state);
-  frame_in_progress_ = true;
-  frame_ms_ = 0.0;
+  progress_.in_frame = true;
+  clock_.begin_frame();
 }
 
 // Removes the springs that broke in the frame just computed, and returns the command that restores them.
@@ -240,7 +251,7 @@ void Lab::record_tear(Insert pieces) {
   const std::uint32_t before = scene_.state.torn;
   scene_.tears.push_back(std::make_shared<const Tear>(Tear{before, std::move(pieces.springs), std::move(pieces.faces)}));
   scene_.state.torn = static_cast<std::uint32_t>(scene_.tears.size());
-  history_.record("tear", {SetTorn{before}}, scene_.system.grab || scene_.state.hand.collider ? grab_gesture_ : tearing_gesture,
+  history_.record("tear", {SetTorn{before}}, scene_.system.grab || scene_.state.hand.collider ? drag_.grab : tearing_gesture,
                   History::Of::Run);
 }
 
@@ -251,69 +262,61 @@ double Lab::hand_lag() const {
   return scene_.system.grab ? glm::distance(hand.target, hand.position) : 0.0;
 }
 
-// A recorded state of some time before the energy began to grow without cause.
-std::shared_ptr<const State> Lab::state_before_failure() const {
-  const Timeline& timeline = frame_history_.timeline();
-  constexpr double margin = 0.5;  // [s]
-  return timeline.empty() ? nullptr : timeline.at(timeline.find(std::min(explained_until_, scene_.state.time) - margin));
-}
-
 // Checks the frame just computed and adopts it; if it diverged, keeps the previous state and stops.
 bool Lab::finish_frame() {
-  next_ = scene_.state;
-  frame_.end(plan_, next_);
-  frame_in_progress_ = must_finish_frame_ = false;
+  progress_.end = scene_.state;
+  frame_.end(plan_, progress_.end);
+  progress_.in_frame = progress_.must_finish = false;
   // until springs that broke are removed, System and plan are those with which the frame began
   if (!frame_.broken().empty()) refresh_values(plan_, scene_.system);
 
   const Energy energy = energy_after_frame();
-  divergence_ = find_divergence(scene_.system, next_, energy, frame_.failure());
-  if (divergence_) {
-    was_unstable_ = scene_.settings.substep() > StepLimits(plan_.spectrum).stable_step(*scene_.settings.integrator);
-    before_failure_ = state_before_failure();
-    failed_start_.reset();
+  if (const auto divergence = find_divergence(scene_.system, progress_.end, energy, frame_.failure())) {
+    failure_.set(*divergence, scene_, plan_, frame_history_.timeline());
     playback_.record_divergence();
-    run_to_.reset();
-    running_ = false;
-    frame_pacer_.clear_backlog();
+    clock_.set_running(false);
+    clock_.clear_backlog();
     record_held_edits();
     return false;
   }
   meter_frame(energy.total());
-  companions_.add_frame(plan_, scene_.system, scene_.settings, scene_.state, next_);
+  companions_.add_frame(plan_, scene_.system, scene_.settings, scene_.state, progress_.end);
   const std::size_t filled = plan_.force_data.enclosures.enclosures.size();
   std::optional<Insert> torn = tear();
   if (torn) companions_.restart();
-  std::swap(scene_.state, next_);
-  if (!start_.scene() && next_.position.size() >= min_points_of_large_run) next_ = {};
+  std::swap(scene_.state, progress_.end);
+  if (!start_.scene() && progress_.end.position.size() >= min_points_of_large_run) progress_.end = {};
   energy_ = torn ? compute_energy(scene_.system, scene_.state) : energy;
-  constexpr double explained_fraction = 0.02;
-  const EnergySupply& supply = scene_.state.supply;
-  if (energy.total() - supply.net_input <= explained_fraction * supply.scale) explained_until_ = scene_.state.time;
-  ++frames_;
+  failure_.add_frame(scene_, energy.total());
+  ++tallies_.frames;
   if (torn) record_tear(*std::move(torn));
-  for (std::size_t left = plan_.force_data.enclosures.enclosures.size(); left < filled; ++left) gas_releases_.push_back(scene_.state.time);
-  hand_lag_ = hand_lag();
-  last_limit_work_ = explained(frame_.motion().energy, plan_.hand.held || plan_.collider_paths.any_moves)[EnergyCause::StrainLimit];
-  limit_work_ += last_limit_work_;
+  for (std::size_t left = plan_.force_data.enclosures.enclosures.size(); left < filled; ++left)
+    tallies_.gas_releases.push_back(scene_.state.time);
+  drag_.lag = hand_lag();
+  tallies_.last_limit_work = explained(frame_.motion().energy, plan_.hand.held || plan_.collider_paths.any_moves)[EnergyCause::StrainLimit];
+  tallies_.limit_work += tallies_.last_limit_work;
   add_to_timeline(true);
-  // the clock is a sum of frame durations: compare with a tolerance of half a frame
-  if (run_to_ && scene_.state.time + 0.5 / scene_.settings.frame_rate > *run_to_) {
-    running_ = false;
-    run_to_.reset();
-  }
+  clock_.end_frame(scene_.state.time, 1.0 / scene_.settings.frame_rate);
   recorder_.record_frame(scene_.state);
   record_held_edits();
   if (playback_.is_on()) check_played_frame();
-  smooth(simulate_ms_, frame_ms_);
   return true;
 }
 
-// Of `next_`, without the springs that broke.
+// Of `progress_.end`, without the springs that broke.
 Energy Lab::energy_after_frame() const {
-  Energy energy = compute_energy(scene_.system, next_);
-  for (const Index s : frame_.broken()) energy.elastic -= elastic_energy(scene_.system, next_, scene_.system.springs()[s]);
+  Energy energy = compute_energy(scene_.system, progress_.end);
+  for (const Index s : frame_.broken()) energy.elastic -= elastic_energy(scene_.system, progress_.end, scene_.system.springs()[s]);
   return energy;
+}
+
+// Computes the companions of the last frame; false if `should_continue` ended it.
+bool Lab::compute_companions(const std::function<bool()>& should_continue) {
+  while (companions_.has_work()) {
+    companions_.substep(scene_.system);
+    if (!should_continue()) return false;
+  }
+  return true;
 }
 
 bool Lab::step_frame() {
@@ -329,7 +332,7 @@ bool Lab::step_frame() {
     drop_frame();
     throw;
   }
-  frame_ms_ = milliseconds_since(start);
+  clock_.spend(milliseconds_since(start));
   return finish_frame();
 }
 
@@ -344,35 +347,35 @@ void Lab::advance(double real_seconds, const std::function<bool()>& should_conti
   if (!must_wait_for_frame()) apply_queue();
 
   bool in_time = compute_companions(should_continue);
-  if (running_) {
+  if (clock_.is_running()) {
     const double frame = 1.0 / scene_.settings.frame_rate;
-    frame_pacer_.accumulate(real_seconds, scene_.settings.speed);
+    clock_.accumulate(real_seconds, scene_.settings.speed);
     long stepped = 0;
-    while (running_ && in_time && (frame_in_progress_ || run_to_ || frame_pacer_.has_frame_due(frame))) {
+    while (clock_.is_running() && in_time && (progress_.in_frame || clock_.has_frame_due(frame))) {
       const auto start = Clock::now();
-      if (!frame_in_progress_) begin_frame();
+      if (!progress_.in_frame) begin_frame();
       while (!frame_.done() && in_time) {
         frame_.substep(plan_);
         // without idle time, a frame is repeated beside the ones that follow
         const bool repeats = frame_.done() || frame_.substeps_done() % substeps_per_repeated == 0;
-        if (repeats && meter_.is_repeating()) meter_.repeat(scene_.system);
+        if (repeats && measuring_.meter.is_repeating()) measuring_.meter.repeat(scene_.system);
         in_time = should_continue();
       }
-      frame_ms_ += milliseconds_since(start);
+      clock_.spend(milliseconds_since(start));
       if (frame_.done()) {
-        frame_pacer_.consume(frame);
+        clock_.consume(frame);
         stepped += finish_frame() ? 1 : 0;
         in_time = in_time && compute_companions(should_continue);
       }
     }
-    frame_pacer_.update_speed(real_seconds, static_cast<double>(stepped) * frame, frame);
+    clock_.update_speed(real_seconds, static_cast<double>(stepped) * frame, frame);
   }
   publish();
 }
 
 std::chrono::duration<double> Lab::time_to_next_frame() const {
-  const double due = frame_pacer_.time_to_next(1.0 / scene_.settings.frame_rate);
-  return std::chrono::duration<double>(frame_in_progress_ || run_to_ ? 0.0 : std::clamp(due / scene_.settings.speed, 0.0, 0.05));
+  const double due = clock_.time_to_next(1.0 / scene_.settings.frame_rate);
+  return std::chrono::duration<double>(progress_.in_frame ? 0.0 : std::clamp(due / scene_.settings.speed, 0.0, 0.05));
 }
 
 }  // namespace hooke

@@ -12,12 +12,12 @@
 
 #include "edit/command.h"
 #include "edit/history.h"
-#include "lab/accuracy/accuracy_meter.h"
-#include "lab/change_text.h"
+#include "lab/failure.h"
 #include "lab/frame_history.h"
-#include "lab/frame_pacer.h"
+#include "lab/lab_parts.h"
 #include "lab/playback.h"
 #include "lab/recorder.h"
+#include "lab/run_clock.h"
 #include "lab/start.h"
 #include "lab/status.h"
 #include "sim/control/frame_runner.h"
@@ -104,19 +104,19 @@ class Lab {
 
   // Continues to measure the accuracy of the frames computed so far, until it is done or `should_continue` returns false.
   void measure_accuracy(const std::function<bool()>& should_continue);
-  bool has_accuracy_to_measure() const { return meter_.is_repeating() || meter_.has_work(); }
+  bool has_accuracy_to_measure() const { return measuring_.meter.is_repeating() || measuring_.meter.has_work(); }
   // Whether `advance` has companions to compute, even while paused.
   bool has_companions_to_compute() const { return companions_.has_work(); }
   Accuracy accuracy() const;
   // Of the frames computed again to measure it, where that is done at once.
-  double accuracy_cpu_seconds() const { return accuracy_cpu_seconds_; }
+  double accuracy_cpu_seconds() const { return measuring_.cpu_seconds; }
 
   // Whether submitted commands wait for the frame in progress; applies them without waiting.
   bool has_pending() const { return !queue_.empty(); }
   void apply_pending() { apply_queue(); }
 
   // The last published status. `advance` publishes; after `step`, the caller may.
-  const std::shared_ptr<const Status>& status() const { return status_; }
+  const std::shared_ptr<const Status>& status() const { return published_.status; }
   void publish();
   const Scene& scene() const { return scene_; }
   // The scene as GoToStart would leave it; as it is now if no start is kept.
@@ -134,7 +134,7 @@ class Lab {
   const std::string& difference() const { return playback_.difference(); }
 
   // [s], the times of the frames in which tears opened surfaces filled with gas, one for each surface.
-  const std::vector<double>& gas_releases() const { return gas_releases_; }
+  const std::vector<double>& gas_releases() const { return tallies_.gas_releases; }
 
   // The last frame, for `run --json`.
   const FrameRunner& last_frame() const { return frame_; }
@@ -144,6 +144,15 @@ class Lab {
   void check_divergence();
   void resolve_divergence();
   void handle(const Control& control, Gesture gesture);
+  void go_to_history_step(std::size_t done);
+  void set_running(bool running);
+  void run_to(double time, Gesture gesture);
+  void go_to_start();
+  void set_start();
+  void reset_parameters();
+  void release_nails();
+  void record(const Record& what);
+  void play(const Play& what);
   // `name`: in the history; without one the command's own.
   void edit(const Command& command, Gesture gesture, const std::string& name = {}, std::optional<History::Of> known = {});
   bool is_at_start() const;
@@ -154,7 +163,6 @@ class Lab {
   void rebuild_plan();
   void open(std::shared_ptr<const Scene> scene);
   void reset_session();
-  void keep_start();
   void add_to_timeline(bool continues);
   void go_to_timeline_index(std::size_t moment, Gesture gesture);
   void play_edits();
@@ -167,10 +175,8 @@ class Lab {
   Energy energy_after_frame() const;
   std::optional<Insert> tear();
   void record_tear(Insert pieces);
-  void drop_frame();
+  void drop_frame(bool restores_springs = true);
   bool compute_companions(const std::function<bool()>& should_continue);
-  void record_change(const Command& command, const std::string& before, const std::vector<Command>& inverse, Gesture gesture);
-  std::shared_ptr<const State> state_before_failure() const;
   void record_edit(const Command& command);
   void record_held_edits();
   double hand_lag() const;
@@ -189,44 +195,17 @@ class Lab {
   FrameHistory frame_history_;
   Recorder recorder_;
   Playback playback_;
-  FramePacer frame_pacer_;
-  AccuracyMeter meter_;
+  RunClock clock_;
+  Metering measuring_;
   Companions companions_;
-  bool measures_at_once_ = false;  // the accuracy of a frame, before the next one
-  double accuracy_cpu_seconds_ = 0.0;
-  Execution execution_;
   Plan plan_;
   FrameRunner frame_;
-  bool frame_in_progress_ = false;
-  bool must_finish_frame_ = false;               // an edit discarded the previous frame
-  std::vector<Command> held_edits_;              // applied while a frame that they do not affect is in progress; recorded after it
-  State next_;                                   // result of the frame in progress
-  Energy energy_;                                // of the scene
-  std::optional<Divergence> divergence_;         // of the last frame, until it is resolved
-  bool was_unstable_ = false;                    // its step was beyond the limit of the method
-  std::shared_ptr<const State> before_failure_;  // a recorded state from before its energy grew; null: none
-  std::shared_ptr<const Scene> failed_start_;    // the start of the run that diverged, with the edits since then; null: not computed
-  long failed_start_edits_ = 0;                  // the number of edits in it
-  std::vector<RecordedChange> changes_;          // since the energy was last explained, oldest first
-  double explained_until_ = 0.0;                 // [s], the last frame whose energy was supplied to the scene
-  bool running_ = false;
-  std::optional<double> run_to_;              // [s]
-  double run_from_ = 0.0;                     // [s]
-  bool start_is_edited_ = false;              // since it was kept
-  Gesture grab_gesture_ = 0;                  // of the last grab: tears during it are undone with it
-  std::shared_ptr<const State> before_drag_;  // the state before the last drag in a run; null: none
-  Gesture drag_gesture_ = 0;                  // of that drag
-  double hand_lag_ = 0.0;                     // [m], behind its target
-  double limit_work_ = 0.0;                   // [J], of the strain limit since the start
-  double last_limit_work_ = 0.0;              // [J], in the last frame
-  std::vector<double> gas_releases_;
-  long edits_ = 0;
-  double frame_ms_ = 0.0, simulate_ms_ = 0.0;
-  long frames_ = 0;
-  std::shared_ptr<const System> published_system_;            // null: none yet
-  std::shared_ptr<const DocumentStatus> published_document_;  // null: none yet
-  std::uint64_t published_system_revision_ = 0, published_document_revision_ = 0;
-  std::shared_ptr<const Status> status_;
+  FrameProgress progress_;
+  Energy energy_;  // of the scene
+  Failure failure_;
+  DragState drag_;
+  RunTallies tallies_;
+  PublishedCopies published_;
 };
 
 }  // namespace hooke

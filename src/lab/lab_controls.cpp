@@ -15,183 +15,179 @@ void Lab::open(std::shared_ptr<const Scene> scene) {
   opened_ = std::move(scene);
   reset_session();
   // until the first edit, readers share the System of the start, which avoids a copy
-  published_system_ = std::shared_ptr<const System>(opened_, &opened_->system);
-  published_system_revision_ = scene_.revision;
+  published_.system = std::shared_ptr<const System>(opened_, &opened_->system);
+  published_.system_revision = scene_.revision;
 }
 
 // Resets everything for the scene that was just opened.
 void Lab::reset_session() {
   scene_.state.supply = {};
-  held_edits_.clear();
-  published_system_.reset();
-  published_document_.reset();
-  must_finish_frame_ = false;
+  progress_.held_edits.clear();
+  progress_.must_finish = false;
+  published_ = {.status = published_.status};
   history_.clear();
-  divergence_.reset();
-  before_failure_.reset();
-  changes_.clear();
-  before_drag_.reset();
-  drag_gesture_ = 0;
+  failure_.restart(scene_.state.time);
+  drag_ = {};
   companions_.set({});
-  explained_until_ = scene_.state.time;
-  running_ = start_is_edited_ = false;
+  clock_ = {};
   playback_.stop();
   playback_.clear_difference();
-  run_to_.reset();
   frame_history_.clear();
-  meter_.restart();
-  frame_pacer_.reset();
-  simulate_ms_ = 0.0;
-  frames_ = 0;
-  limit_work_ = last_limit_work_ = hand_lag_ = 0.0;
-  gas_releases_.clear();
+  measuring_.meter.restart();
+  tallies_ = {.edits = tallies_.edits};
   update_plan({.structure = true});
   frame_.take_change();  // it is the start of a run, not an edit in one
   initialize_supply(scene_.system, scene_.state);
 }
 
 void Lab::rebuild_plan() {
+  Execution execution = std::move(plan_.execution);
   plan_ = make_plan(scene_.system);
-  plan_.execution = execution_;
+  plan_.execution = std::move(execution);
 }
 
-void Lab::set_execution(Execution execution) {
-  execution_ = std::move(execution);
-  plan_.execution = execution_;
-}
-
-// Edits made before the first frame belong to the start.
-void Lab::keep_start() {
-  if (start_is_edited_ && scene_.state.time == start_.scene()->state.time) start_.set_with_released_nails(scene_);
-  start_is_edited_ = false;
-}
+void Lab::set_execution(Execution execution) { plan_.execution = std::move(execution); }
 
 Scene Lab::scene_at_start() {
   if (!start_.scene()) return scene_;
-  keep_start();
+  start_.keep_edits(scene_);
   return start_.return_from(scene_);
 }
 
 void Lab::go_to_timeline_index(std::size_t moment, Gesture gesture) {
-  running_ = false;
-  run_to_.reset();
+  clock_.set_running(false);
   playback_.stop();
   const auto state = frame_history_.timeline().at(moment);
   if (state->time != scene_.state.time) edit(GoToState{state}, gesture);
 }
 
+void Lab::go_to_history_step(std::size_t done) {
+  if (done == history_.done() || done > history_.done() + history_.undone()) return;
+  playback_.stop();
+  start_.keep_edits(scene_);
+  drop_frame();
+  const double before = energy_.total();
+  const Settings settings = scene_.settings;
+  const Effect effect = history_.go_to(done, scene_);
+  update_plan(effect);
+  record_edit_energy(scene_.system, effect.invalidates_frame() ? energy_.total() - before : 0.0, scene_.state);
+  recorder_.record_scene(scene_);
+  pass_edit_to_meter(effect, settings);
+  check_divergence();
+  if (is_at_start()) start_.record_edit();
+  for (const Point& point : scene_.system.points())
+    if (point.nailed) start_.forget_release(point.id);
+  ++tallies_.edits;
+}
+
+void Lab::set_running(bool running) {
+  clock_.set_running(running);
+  clock_.reset_pace();
+  drop_frame();
+  if (running) resolve_divergence();
+}
+
+void Lab::run_to(double time, Gesture gesture) {
+  // an earlier time is past already: go back to it
+  if (!(time > scene_.state.time)) {
+    if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.timeline().find(time), gesture);
+    return;
+  }
+  clock_.run_to(scene_.state.time, time);
+  resolve_divergence();
+}
+
+void Lab::go_to_start() {
+  if (!start_.scene()) return;
+  playback_.stop();
+  edit(Replace{std::make_shared<const Scene>(scene_at_start())}, 0);
+  start_.forget_releases();
+  tallies_.limit_work = 0.0;
+  tallies_.gas_releases.clear();
+  if (failure_.is_known()) clock_.set_running(false);
+}
+
+void Lab::set_start() {
+  Scene start = scene_;
+  start.system.colliders = carried_colliders(scene_.system, scene_.state);
+  start.system.grab.reset();
+  start.state.hand = {};
+  start_.set(std::make_shared<const Scene>(std::move(start)));
+  history_.record_unsaved_change("set the start");
+}
+
+void Lab::reset_parameters() {
+  if (!opened_) return;
+  playback_.stop();
+  // one step of the history, though several commands
+  const Gesture reset = std::numeric_limits<Gesture>::max() - 1 - static_cast<Gesture>(tallies_.edits);
+  for (const Command& command : commands_to_reset_parameters(scene_, *opened_)) edit(command, reset, "reset parameters");
+}
+
+void Lab::release_nails() {
+  SetNailed release;
+  for (const Point& point : scene_.system.points())
+    if (point.nailed) release.items.push_back({point.id, false});
+  if (release.items.empty()) return;
+  playback_.stop();
+  start_.record_release(release);
+  edit(release, 0);
+}
+
+void Lab::record(const Record& what) {
+  drop_frame();
+  if (frame_.take_change()) compare_after_edit(scene_.state.memory);
+  if (what.file)
+    recorder_.start(*what.file, scene_);
+  else
+    recorder_.stop();
+}
+
+void Lab::play(const Play& what) {
+  open(what.recording->start);
+  scene_.state.supply = opened_->state.supply;
+  recorder_.record_scene(scene_);
+  playback_.start(what.recording);
+  if (what.recording->frames == 0) play_edits();
+}
+
 void Lab::handle(const Control& control, Gesture gesture) {
-  const auto go_to_history_step = [this](std::size_t done) {
-    if (done == history_.done() || done > history_.done() + history_.undone()) return;
-    playback_.stop();
-    keep_start();
-    drop_frame();
-    const double before = energy_.total();
-    const Settings settings = scene_.settings;
-    const Effect effect = history_.go_to(done, scene_);
-    update_plan(effect);
-    record_edit_energy(scene_.system, effect.invalidates_frame() ? energy_.total() - before : 0.0, scene_.state);
-    recorder_.record_scene(scene_);
-    pass_edit_to_meter(effect, settings);
-    check_divergence();
-    start_is_edited_ = start_is_edited_ || is_at_start();
-    for (const Point& point : scene_.system.points())
-      if (point.nailed) start_.forget_release(point.id);
-    ++edits_;
-  };
+  const Timeline& timeline = frame_history_.timeline();
   std::visit(Overloaded{
                  [&](const Undo&) { go_to_history_step(history_.done() - 1); },
                  [&](const Redo&) { go_to_history_step(history_.done() + 1); },
                  [&](const GoToHistoryStep& go) { go_to_history_step(go.done); },
-                 [&](const SetRunning& set) {
-                   running_ = set.running;
-                   run_to_.reset();
-                   frame_pacer_.reset();
-                   drop_frame();
-                   if (running_) resolve_divergence();
-                 },
+                 [&](const SetRunning& set) { set_running(set.running); },
                  [&](const StepOnce&) {
-                   running_ = false;
+                   clock_.set_running(false);
                    drop_frame();
                    step_frame();
                  },
-                 [&](const RunTo& run) {
-                   // an earlier time is past already: go back to it
-                   if (!(run.time > scene_.state.time)) {
-                     if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.timeline().find(run.time), gesture);
-                     return;
-                   }
-                   run_to_ = run.time;
-                   run_from_ = scene_.state.time;
-                   running_ = true;
-                   resolve_divergence();
-                 },
+                 [&](const RunTo& run) { run_to(run.time, gesture); },
                  [&](const StepBack&) {
-                   if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.step_back_from(scene_.state.time), 0);
+                   if (!timeline.empty()) go_to_timeline_index(frame_history_.step_back_from(scene_.state.time), 0);
+                 },
+                 [&](const GoToTime& go) {
+                   if (!timeline.empty()) go_to_timeline_index(timeline.find(go.time), gesture);
                  },
                  [&](const Watch& watch) { frame_history_.watch(watch.quantities, scene_.system); },
-                 [&](const SetAccuracy& set) { meter_.set_mode(set.mode); },
+                 [&](const SetAccuracy& set) { measuring_.meter.set_mode(set.mode); },
                  [&](const SetCompanions& set) { companions_.set(set.companions); },
-                 [&](const GoToTime& go) {
-                   if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.timeline().find(go.time), gesture);
-                 },
-                 [&](const GoToStart&) {
-                   if (!start_.scene()) return;
-                   playback_.stop();
-                   edit(Replace{std::make_shared<const Scene>(scene_at_start())}, 0);
-                   start_.forget_releases();
-                   limit_work_ = 0.0;
-                   gas_releases_.clear();
-                   running_ = running_ && !divergence_;
-                 },
-                 [&](const SetStart&) {
-                   Scene start = scene_;
-                   start.system.colliders = carried_colliders(scene_.system, scene_.state);
-                   start.system.grab.reset();
-                   start.state.hand = {};
-                   start_.set(std::make_shared<const Scene>(std::move(start)));
-                   history_.record_unsaved_change("set the start");
-                 },
-                 [&](const ResetParameters&) {
-                   if (!opened_) return;
-                   playback_.stop();
-                   // one step of the history, though several commands
-                   const Gesture reset = std::numeric_limits<Gesture>::max() - 1 - static_cast<Gesture>(edits_);
-                   for (const Command& command : commands_to_reset_parameters(scene_, *opened_)) edit(command, reset, "reset parameters");
-                 },
-                 [&](const ReleaseNails&) {
-                   SetNailed release;
-                   for (const Point& point : scene_.system.points())
-                     if (point.nailed) release.items.push_back({point.id, false});
-                   if (release.items.empty()) return;
-                   playback_.stop();
-                   start_.record_release(release);
-                   edit(release, 0);
-                 },
-                 [&](const Open& open_scene) {
-                   open(open_scene.scene);
+                 [&](const GoToStart&) { go_to_start(); },
+                 [&](const SetStart&) { set_start(); },
+                 [&](const ResetParameters&) { reset_parameters(); },
+                 [&](const ReleaseNails&) { release_nails(); },
+                 [&](const Open& what) {
+                   open(what.scene);
                    recorder_.record_scene(scene_);
-                   if (open_scene.unsaved) history_.record_unsaved_change("restored from an autosave");
+                   if (what.unsaved) history_.record_unsaved_change("restored from an autosave");
                  },
                  [&](const MarkSaved&) {
-                   keep_start();
+                   start_.keep_edits(scene_);
                    history_.mark_saved();
                  },
-                 [&](const Record& what) {
-                   drop_frame();
-                   if (frame_.take_change()) compare_after_edit(scene_.state.memory);
-                   if (what.file)
-                     recorder_.start(*what.file, scene_);
-                   else
-                     recorder_.stop();
-                 },
-                 [&](const Play& play) {
-                   open(play.recording->start);
-                   scene_.state.supply = opened_->state.supply;
-                   recorder_.record_scene(scene_);
-                   playback_.start(play.recording);
-                   if (play.recording->frames == 0) play_edits();
-                 },
+                 [&](const Record& what) { record(what); },
+                 [&](const Play& what) { play(what); },
              },
              control);
 }

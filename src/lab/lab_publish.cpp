@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "base/printable.h"
-#include "lab/divergence_message.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
 #include "scene/step_advice.h"
@@ -14,6 +13,7 @@ namespace {
 DocumentStatus document_of(const Scene& scene, const Scene* opened) {
   DocumentStatus document{.name = scene.name,
                           .description = scene.description,
+                          .notes = scene.notes,
                           .view = scene.view,
                           .cloth_texture = scene.cloth_texture,
                           .defaults = scene.defaults,
@@ -32,17 +32,17 @@ DocumentStatus document_of(const Scene& scene, const Scene* opened) {
 
 // Copies for readers are made once per revision, because a System is large and reading the parameters visits all springs.
 const std::shared_ptr<const System>& Lab::published_system() {
-  if (!published_system_ || published_system_revision_ != scene_.revision)
-    published_system_ = std::make_shared<const System>(scene_.system);
-  published_system_revision_ = scene_.revision;
-  return published_system_;
+  if (!published_.system || published_.system_revision != scene_.revision)
+    published_.system = std::make_shared<const System>(scene_.system);
+  published_.system_revision = scene_.revision;
+  return published_.system;
 }
 
 const std::shared_ptr<const DocumentStatus>& Lab::published_document() {
-  if (!published_document_ || published_document_revision_ != scene_.revision)
-    published_document_ = std::make_shared<const DocumentStatus>(document_of(scene_, opened_.get()));
-  published_document_revision_ = scene_.revision;
-  return published_document_;
+  if (!published_.document || published_.document_revision != scene_.revision)
+    published_.document = std::make_shared<const DocumentStatus>(document_of(scene_, opened_.get()));
+  published_.document_revision = scene_.revision;
+  return published_.document;
 }
 
 std::shared_ptr<const Snapshot> Lab::snapshot() {
@@ -70,22 +70,22 @@ std::shared_ptr<const Snapshot> Lab::snapshot() {
     snapshot->recommended_margin = limits.needs().margin;
     snapshot->recommended_substeps = limits.recommended_substeps(method, scene_.settings.frame_rate).value_or(0);
   }
-  snapshot->divergence = divergence_;
+  snapshot->divergence = failure_.divergence();
   return snapshot;
 }
 
 RunStatus Lab::run_status() const {
   const bool has_hand = scene_.system.grab || scene_.state.hand.collider;
-  return {.running = running_,
-          .simulate_ms = simulate_ms_,
-          .speed = running_ ? frame_pacer_.speed() : 0.0,
-          .frames = frames_,
-          .from = run_to_ ? run_from_ : 0.0,
-          .to = run_to_.value_or(0.0),
-          .hand_lag = scene_.system.hand_speed > 0.0 && has_hand ? hand_lag_ : 0.0,
-          .limit_power = running_ ? last_limit_work_ * scene_.settings.frame_rate : 0.0,
-          .limit_work = limit_work_,
-          .gas_releases = gas_releases_.size(),
+  return {.running = clock_.is_running(),
+          .simulate_ms = clock_.simulate_ms(),
+          .speed = clock_.speed(),
+          .frames = tallies_.frames,
+          .from = clock_.from(),
+          .to = clock_.to(),
+          .hand_lag = scene_.system.hand_speed > 0.0 && has_hand ? drag_.lag : 0.0,
+          .limit_power = clock_.is_running() ? tallies_.last_limit_work * scene_.settings.frame_rate : 0.0,
+          .limit_work = tallies_.limit_work,
+          .gas_releases = tallies_.gas_releases.size(),
           .crossings = last_frame().motion().crossings};
 }
 
@@ -99,10 +99,8 @@ TimelineStatus Lab::timeline_status() const {
 
 void Lab::show_edits(double real_seconds) {
   apply_queue();
-  if (running_) {
-    frame_pacer_.accumulate(real_seconds, scene_.settings.speed);
-    frame_pacer_.update_speed(real_seconds, 0.0, 1.0 / scene_.settings.frame_rate);
-  }
+  clock_.accumulate(real_seconds, scene_.settings.speed);
+  if (clock_.is_running()) clock_.update_speed(real_seconds, 0.0, 1.0 / scene_.settings.frame_rate);
   publish();
 }
 
@@ -112,7 +110,7 @@ void Lab::publish() {
   status->document = published_document();
   status->run = run_status();
   status->history = {.unsaved = history_.has_unsaved_changes(),
-                     .edits = edits_,
+                     .edits = tallies_.edits,
                      .undo_name = history_.undo_name(),
                      .redo_name = history_.redo_name(),
                      .list = history_.list()};
@@ -122,29 +120,11 @@ void Lab::publish() {
   status->recording.error = recorder_.error();
   if (playback_.is_on()) status->recording.playback_progress = playback_.progress();
   status->recording.difference = playback_.difference();
-  if (divergence_) {
-    status->diagnosis.message = describe(*divergence_, scene_.system);
-    status->diagnosis.is_too_large = divergence_->kind == Divergence::Kind::MatrixTooLarge;
-    if (start_.scene() != nullptr) {
-      // a copy of the scene, made once for each edit
-      if (failed_start_ == nullptr || failed_start_edits_ != edits_) {
-        failed_start_ = std::make_shared<const Scene>(start_.return_from(scene_));
-        failed_start_edits_ = edits_;
-      }
-      status->diagnosis.failed = FailedRun{.start = failed_start_,
-                                           .system = published_system(),
-                                           .before = before_failure_,
-                                           .settings = scene_.settings,
-                                           .time = divergence_->time,
-                                           .changes = {}};
-      for (auto recorded = changes_.rbegin(); recorded != changes_.rend(); ++recorded)
-        status->diagnosis.failed->changes.push_back(recorded->change);
-    }
-  }
+  status->diagnosis = failure_.status(start_, scene_, published_system(), tallies_.edits);
   status->companions = companions_.status();
   status->next_point_id = scene_.system.next_point_id();
   status->next_spring_id = scene_.system.next_spring_id();
-  status_ = std::move(status);
+  published_.status = std::move(status);
 }
 
 }  // namespace hooke

@@ -32,6 +32,16 @@ void add_springs(SpringProperty property, double Spring::*member, const System& 
   if (!set.values.empty()) commands.emplace_back(std::move(set));
 }
 
+void add_laws(const System& now, const System& opened, std::vector<Command>& commands) {
+  SetSpringLaw set;
+  if (!now.springs().have_laws() && !opened.springs().have_laws()) return;
+  for (const Spring& spring : now.springs()) {
+    const Index s = opened.index_of(spring.id);
+    if (s != no_index && opened.springs()[s].law != spring.law) set.values.emplace_back(spring.id, opened.springs()[s].law);
+  }
+  if (!set.values.empty()) commands.emplace_back(std::move(set));
+}
+
 }  // namespace
 
 std::vector<Command> commands_to_reset_parameters(const Scene& now, const Scene& opened) {
@@ -65,6 +75,7 @@ std::vector<Command> commands_to_reset_parameters(const Scene& now, const Scene&
   add_springs(SpringProperty::Damping, &Spring::damping, now.system, opened.system, commands);
   add_springs(SpringProperty::RestLength, &Spring::rest_length, now.system, opened.system, commands);
   add_springs(SpringProperty::BreakStrain, &Spring::break_strain, now.system, opened.system, commands);
+  add_laws(now.system, opened.system, commands);
   return commands;
 }
 

@@ -11,6 +11,12 @@ void Start::set(std::shared_ptr<const Scene> scene) {
   added_.clear();
   released_.clear();
   leaks_.clear();
+  is_edited_ = false;
+}
+
+void Start::keep_edits(const Scene& scene) {
+  if (is_edited_ && scene.state.time == scene_->state.time) set_with_released_nails(scene);
+  is_edited_ = false;
 }
 
 void Start::set_with_released_nails(Scene scene) {
@@ -57,6 +63,8 @@ Scene Start::return_from(const Scene& now) const {
     }
   }
   scene.state.hand = {};
+  // muscles and winches at the phase of the start
+  scene.system.muscles.offset = start.muscles.at(scene_->state.time) - scene.system.muscles.rate() * scene_->state.time;
   Effect effect;
   apply(scene, GoToState{std::make_shared<const State>(std::move(state))}, effect);
   for (Index i = 0; i < scene.system.point_count(); ++i)

@@ -15,8 +15,9 @@ namespace hooke {
 class Start {
  public:
   void set(std::shared_ptr<const Scene> scene);
-  // The same, with the nails that were released only for the run.
-  void set_with_released_nails(Scene scene);
+  // Edits made before the first frame belong to the start: records one, and takes `scene` as the start if there were any.
+  void record_edit() { is_edited_ = true; }
+  void keep_edits(const Scene& scene);
   // Null: none is kept.
   const std::shared_ptr<const Scene>& scene() const { return scene_; }
 
@@ -36,10 +37,14 @@ class Start {
   Scene return_from(const Scene& now) const;
 
  private:
+  // Sets it with the nails that were released only for the run.
+  void set_with_released_nails(Scene scene);
+
   struct Place {
     Vec3 position, velocity;  // [m], [m/s]
   };
   std::shared_ptr<const Scene> scene_;
+  bool is_edited_ = false;  // since it was set
   std::map<PointId, Place> added_;
   std::set<PointId> released_;
   std::vector<LeakChange> leaks_;

@@ -17,7 +17,7 @@ namespace hooke {
 
 // The parts of the scene that only edits change; the same object until the next edit.
 struct DocumentStatus {
-  std::string name, description;
+  std::string name, description, notes;
   ViewSettings view;
   ClothTexture cloth_texture;
   Defaults defaults;

@@ -2,9 +2,12 @@
 
 #include <pybind11/stl.h>
 
+#include <glm/geometric.hpp>
+
 #include "base/finite.h"
 #include "batch/run_report.h"
 #include "formats/open_file.h"
+#include "lab/loads.h"
 #include "lab/recording.h"
 #include "scene/flatness.h"
 #include "scene/parameters.h"
@@ -163,6 +166,41 @@ py::dict energy_of(NamedLab& lab) {
   return entry;
 }
 
+// {"strain" [1], "tension" [N], "spring_energy" [J], "forces", "loads", "reactions" [N]}: of springs, then of points.
+py::dict loads_of(NamedLab& lab) {
+  const Use use(lab);
+  const Scene& scene = lab.lab.scene();
+  const Loads loads = compute_loads(lab.lab.plan(), scene.system, scene.state);
+  std::vector<double> strains;
+  std::vector<Vec3> forces;
+  for (const Spring& spring : scene.system.springs()) {
+    strains.push_back(strain(scene.system, scene.state, spring));
+    const Vec3 apart =
+        scene.state.position[scene.system.index_of(spring.second)] - scene.state.position[scene.system.index_of(spring.first)];
+    const double length = glm::length(apart);
+    forces.push_back(length > 0.0 ? apart * (loads.tension[forces.size()] / length) : Vec3(0.0));
+  }
+  py::dict entry;
+  entry["strain"] = to_array(strains);
+  entry["tension"] = to_array(loads.tension);
+  entry["spring_energy"] = to_array(loads.energy);
+  entry["forces"] = to_array(forces);
+  entry["loads"] = to_array(loads.external);
+  entry["reactions"] = to_array(loads.reaction);
+  return entry;
+}
+
+// {"since" [s], "change", ..., "method" [J]}; None: not measured.
+py::object energy_balance_of(NamedLab& lab) {
+  const Use use(lab);
+  const Accuracy accuracy = lab.lab.accuracy();
+  if (!accuracy.is_on) return py::none();
+  py::dict entry;
+  entry["since"] = accuracy.energy.since;
+  for (const auto& [name, joules] : accuracy.energy.terms()) entry[name] = joules;
+  return entry;
+}
+
 // {"frame", "frame_max", "accumulated" [m], "amplification" [1], "predictable" [s]}; None: not known.
 py::dict error_of(NamedLab& lab) {
   measure_accuracy(lab);
@@ -178,9 +216,10 @@ py::dict error_of(NamedLab& lab) {
 }
 
 // (frames, hash, difference)
-py::tuple replay(const std::string& file, py::object progress) {
+py::tuple replay(const std::string& file, std::int64_t threads, py::object progress) {
   const auto recording = std::make_shared<const Recording>(read_recording(file));
   Lab lab(*recording->start, KeepStart::No);
+  lab.set_execution(execution_of(lab, threads));
   lab.submit(Play{recording});
   Watch watch(std::move(progress));
   const WatchedLab watched(lab, watch);
@@ -207,9 +246,11 @@ AccuracyMode accuracy_named(const std::string& name) {
 
 void bind_lab(py::module_& module) {
   py::class_<NamedLab, std::shared_ptr<NamedLab>>(module, "Lab")
-      .def(py::init([](const NamedScene& scene, const std::string& accuracy) {
+      .def(py::init([](const NamedScene& scene, const std::string& accuracy, std::int64_t threads, const std::string& precision) {
         const AccuracyMode mode = accuracy_named(accuracy);
         auto lab = std::make_shared<NamedLab>(scene, KeepStart::Yes);
+        lab->accuracy = accuracy;
+        lab->lab.set_execution(execution_of(lab->lab, threads, precision));
         submit(*lab, SetAccuracy{mode});
         return lab;
       }))
@@ -241,6 +282,9 @@ void bind_lab(py::module_& module) {
            })
       .def("diagnosis", &diagnosis_of)
       .def("energy", &energy_of)
+      .def("loads", &loads_of)
+      .def_property_readonly("accuracy", [](const NamedLab& lab) { return lab.accuracy; })
+      .def("energy_balance", &energy_balance_of)
       .def("error", &error_of)
       .def_property_readonly("time",
                              [](NamedLab& lab) {

@@ -18,6 +18,7 @@ struct NamedLab {
   std::string name;
   std::vector<ForceFunction> functions;
   Lab lab;
+  std::string accuracy = "off";      // what is measured
   bool is_in_run = false;            // `run` computes its frames
   py::object positions, velocities;  // read-only arrays of the present state; null until they are read
   Shared shared;

@@ -6,6 +6,7 @@
 
 #include "base/build_info.h"
 #include "base/option_error.h"
+#include "base/read_file.h"
 #include "python/scene_binding.h"
 
 PYBIND11_MODULE(_hooke, module) {
@@ -22,6 +23,12 @@ PYBIND11_MODULE(_hooke, module) {
   usage.attr("__doc__") = "A wrong option or argument.";
   static py::exception<FileError> file(module, "FileError", py::make_tuple(error, py::handle(PyExc_OSError)));
   file.attr("__doc__") = "A file that could not be read or written.";
+  static py::exception<MissingFileError> missing(module, "MissingFileError", py::make_tuple(file, py::handle(PyExc_FileNotFoundError)));
+  missing.attr("__doc__") = "A file that does not exist.";
+  static py::exception<python::UnknownName> unknown(module, "UnknownNameError", py::make_tuple(usage, py::handle(PyExc_KeyError)));
+  unknown.attr("__doc__") = "The name of a parameter or of a column that does not exist.";
+  // KeyError shows its message in quotes
+  unknown.attr("__str__") = py::handle(PyExc_Exception).attr("__str__");
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(std::move(thrown));
@@ -29,8 +36,12 @@ PYBIND11_MODULE(_hooke, module) {
       input(what.what());
     } catch (const OptionError& what) {
       usage(what.as_argument().c_str());
+    } catch (const python::UnknownName& what) {
+      unknown(what.what());
     } catch (const UsageError& what) {
       usage(what.what());
+    } catch (const MissingFileError& what) {
+      missing(what.what());
     } catch (const FileError& what) {
       file(what.what());
     }

@@ -88,13 +88,16 @@ std::vector<Index> points_of(const std::optional<std::vector<std::int64_t>>& num
 }
 
 py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sample, const std::string& accuracy, const RunFiles& files,
-              const std::optional<std::vector<std::int64_t>>& sampled, py::object on_frame, py::object progress) {
+              const std::optional<std::vector<std::int64_t>>& sampled, std::int64_t threads, const std::string& precision,
+              py::object on_frame, py::object progress) {
   RunRequest request{.seconds = seconds, .sample = sample, .accuracy = accuracy_named(accuracy)};
   if (sample) check_option("sample", *sample, positive);
   if (files.quantities && !files.csv) throw UsageError("quantities: requires csv");
   const double frame_rate = scene.scene().settings.frame_rate;
   const long frames = count_frames(seconds, frame_rate);
   const auto lab = std::make_shared<NamedLab>(scene, KeepStart::No);
+  lab->accuracy = accuracy;
+  lab->lab.set_execution(execution_of(lab->lab, threads, precision));
   const std::vector<Index> points = points_of(sampled, scene.scene().system.point_count());
   // a run that ends between two samples adds one
   Samples samples(lab->lab, points, SampleClock::max_count(sample, frame_rate, frames) + 1);
@@ -147,13 +150,14 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
 }  // namespace
 
 void bind_run(py::module_& module) {
-  module.def("run", [](const NamedScene& scene, double seconds, std::optional<double> sample, const std::string& accuracy,
-                       const std::optional<std::string>& json, const std::optional<std::string>& csv,
-                       const std::optional<std::string>& quantities, const std::optional<std::string>& pc2,
-                       const std::optional<std::vector<std::int64_t>>& points, py::object on_frame, py::object progress) {
-    return run(scene, seconds, sample, accuracy, {.json = json, .csv = csv, .pc2 = pc2, .quantities = quantities}, points,
-               std::move(on_frame), std::move(progress));
-  });
+  module.def("run",
+             [](const NamedScene& scene, double seconds, std::optional<double> sample, const std::string& accuracy,
+                const std::optional<std::string>& json, const std::optional<std::string>& csv, const std::optional<std::string>& quantities,
+                const std::optional<std::string>& pc2, const std::optional<std::vector<std::int64_t>>& points, std::int64_t threads,
+                const std::string& precision, py::object on_frame, py::object progress) {
+               return run(scene, seconds, sample, accuracy, {.json = json, .csv = csv, .pc2 = pc2, .quantities = quantities}, points,
+                          threads, precision, std::move(on_frame), std::move(progress));
+             });
 }
 
 }  // namespace hooke::python

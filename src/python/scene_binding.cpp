@@ -10,7 +10,10 @@
 #include "edit/append_parts.h"
 #include "edit/apply.h"
 #include "formats/open_file.h"
+#include "formats/scene_json/spring_law_fields.h"
 #include "scene/parameters.h"
+#include "scene/spring_laws.h"
+#include "sim/forces/bands.h"
 #include "sim/methods/integrator.h"
 #include "sim/model/hash.h"
 
@@ -39,14 +42,7 @@ NamedScene load(const std::string& name, const std::map<std::string, std::string
 NamedScene parse(const std::string& text, const std::string& name) { return {name, parse_scene(text, name)}; }
 
 // The members of a scene file that list parts: "generators": [...], "colliders": [...].
-void add_part(NamedScene& scene, const std::string& members, const std::string& name) {
-  const std::string dimensions = std::to_string(scene.scene().system.dimensions);
-  const LoadedScene part = parse_scene("{\"hooke\": 1, \"dimensions\": " + dimensions + ", " + members + "}", name);
-  // in a call an unknown field is a mistake; in a file it may be of a later version
-  for (const std::string& warning : part.warnings)
-    if (const std::size_t end = warning.find(", kept"); end != std::string::npos) throw InputError(warning.substr(0, end));
-  append_parts(scene.scene(), part.scene);
-}
+void add_part(NamedScene& scene, const std::string& members, const std::string& name) { add_members(scene.scene(), members, name); }
 
 Index add_points(NamedScene& scene, const Doubles& positions, const Doubles& masses, const Doubles& velocities, const Doubles& radii,
                  const std::vector<bool>& nailed) {
@@ -193,12 +189,55 @@ std::vector<std::string> save(const NamedScene& scene, const std::string& file) 
   return write_scene_as(scene.scene(), file);
 }
 
+// The members of each law as in scene files; none: it has no law.
+using LawTexts = std::vector<std::optional<std::string>>;
+
+LawTexts laws_of(const NamedScene& scene) {
+  LawTexts texts;
+  for (const Spring& spring : springs_of(scene)) {
+    JsonWriter out;
+    out.begin_object(JsonWriter::Layout::Line);
+    if (spring.law) write_law(*spring.law, out);
+    out.end();
+    texts.push_back(spring.law ? std::optional(out.take()) : std::nullopt);
+  }
+  return texts;
+}
+
+void set_laws(NamedScene& scene, const LawTexts& texts) {
+  const SpringList& springs = springs_of(scene);
+  if (texts.size() != springs.size())
+    throw InputError("laws: " + std::to_string(texts.size()) + " values: must be " + std::to_string(springs.size()));
+  SetSpringLaw set;
+  for (std::size_t s = 0; s < texts.size(); ++s) {
+    Spring spring = springs[s];
+    spring.law.reset();
+    if (texts[s]) {
+      JsonParser parser;
+      const JsonField law(scene.name, "laws", parser.parse(*texts[s]), s);
+      for (const JsonField member : law.members())
+        if (!read_law_field(member, spring)) member.refuse("must be a field of a law");
+    }
+    if (const LawError error = error_of(spring); !error.limit.empty())
+      throw InputError(at("laws", s) + "." + std::string(error.field) + ": " + error.limit);
+    set.values.emplace_back(spring.id, spring.law);
+  }
+  change(scene, set);
+}
+
 NamedScene with_options(const NamedScene& scene, const std::optional<std::string>& integrator, std::optional<std::int64_t> substeps,
                         std::optional<double> frame_rate, std::optional<double> tolerance) {
+  const SteppingOptions options{
+      .integrator = integrator, .substeps = substeps, .frame_rate = frame_rate, .tolerance = tolerance, .settings = {}};
   NamedScene copy = scene;
-  apply_options(copy.loaded,
-                {.integrator = integrator, .substeps = substeps, .frame_rate = frame_rate, .tolerance = tolerance, .settings = {}},
-                copy.name);
+  copy.checked.reset();
+  if (scene.checked && scene.checked->options == options) {
+    set_options(copy.loaded.scene, options, copy.name);
+    copy.loaded.warnings = scene.checked->warnings;
+  } else {
+    apply_options(copy.loaded, options, copy.name);
+    scene.checked = {options, copy.loaded.warnings};
+  }
   return copy;
 }
 
@@ -229,7 +268,18 @@ void check_flat(const System& system, const std::string& name, const std::vector
 }
 
 const Parameter& parameter_of(const char* owner, const std::string& name) {
-  return *parse_item(owner, name, "", [&] { return &parse_parameter(name); });
+  try {
+    return *parse_item(owner, name, "", [&] { return &parse_parameter(name); });
+  } catch (const UsageError& error) {
+    throw UnknownName(error.what());
+  }
+}
+
+Execution execution_of(const Lab& lab, std::int64_t threads, const std::string& precision) {
+  check_option("threads", static_cast<double>(threads), {.min = 1, .max = max_parts});
+  const bool is_single = precision == "single";
+  if (!is_single && precision != "double") throw OptionError("precision", printable(precision, 80), "must be double or single");
+  return make_execution(lab, static_cast<int>(threads), is_single ? Precision::Single : Precision::Double);
 }
 
 SetParameter setting_of(const char* owner, const std::string& name, const std::string& value) {
@@ -243,6 +293,7 @@ py::object value_of(const Scene& scene, const Parameter& parameter) {
     case Parameter::Kind::Switch:
       return py::bool_(value != 0.0);
     case Parameter::Kind::Choice:
+      if (&parameter == &dimensions_parameter) return py::int_(scene.system.dimensions);
       return py::str(std::string(parameter.choices[static_cast<std::size_t>(value)].id));
     case Parameter::Kind::Integer:
       return py::int_(static_cast<long>(value));
@@ -314,6 +365,7 @@ void bind_scene(py::module_& module) {
       .def_property("stiffness", spring_column(&Spring::stiffness), spring_setter(S::Stiffness, "stiffness"))
       .def_property("damping", spring_column(&Spring::damping), spring_setter(S::Damping, "damping"))
       .def_property("rest_length", spring_column(&Spring::rest_length), spring_setter(S::RestLength, "rest_length"))
+      .def_property("laws", &laws_of, &set_laws)
       .def_property_readonly("springs", &ends_of)
       .def_property_readonly("faces", &faces_of);
 }

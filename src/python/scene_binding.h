@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,27 @@ struct NamedScene {
   std::string name;
   LoadedScene loaded;
   std::vector<ForceFunction> functions{};
-  Scene& scene() { return loaded.scene; }
+  // The options of the last run and its warnings, which take longer than a short run and are the same until the scene changes.
+  struct Checked {
+    SteppingOptions options;
+    std::vector<std::string> warnings;
+  };
+  mutable std::optional<Checked> checked{};
+  // to change it
+  Scene& scene() {
+    checked.reset();
+    return loaded.scene;
+  }
   const Scene& scene() const { return loaded.scene; }
 };
+
+// A parameter or a shape that there is not, as KeyError.
+struct UnknownName : UsageError {
+  using UsageError::UsageError;
+};
+
+// For the arguments threads and precision. Throws UsageError.
+Execution execution_of(const Lab& lab, std::int64_t threads, const std::string& precision = "double");
 
 // The parameter of scene["NAME"] with the owner "scene", and its new value. Throws UsageError 'scene["NAME"]: VALUE: must be ...'.
 const Parameter& parameter_of(const char* owner, const std::string& name);

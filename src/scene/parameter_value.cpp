@@ -5,6 +5,18 @@
 
 namespace hooke {
 
+namespace {
+
+// None: not a number.
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error != std::errc::invalid_argument && end == text.data() + text.size();
+  return is_number ? std::optional(error == std::errc() ? value : INFINITY) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<double> parse_value(const Parameter& parameter, std::string_view text) {
   if (parameter.kind == Parameter::Kind::Switch) {
     if (text == "on" || text == "true" || text == "1") return 1.0;
@@ -16,12 +28,10 @@ std::optional<double> parse_value(const Parameter& parameter, std::string_view t
       if (text == parameter.choices[i].id) return static_cast<double>(i);
     return std::nullopt;
   }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const std::optional<double> value = parse_number(text);
   const Bounds range{.min = parameter.min, .max = parameter.max};
-  const bool is_valid = error == std::errc() && end == text.data() + text.size() && std::isfinite(value) && range.contains(value) &&
-                        clamp_to(parameter, value) == value;
-  return is_valid ? std::optional(value) : std::nullopt;
+  const bool is_valid = value && std::isfinite(*value) && range.contains(*value) && clamp_to(parameter, *value) == *value;
+  return is_valid ? value : std::nullopt;
 }
 
 std::string limit_text(const Parameter& parameter) {
@@ -34,6 +44,11 @@ std::string limit_text(const Parameter& parameter) {
   const Bounds range{.min = parameter.min, .max = parameter.max};
   return (parameter.kind == Parameter::Kind::Integer ? "must be whole, and " : "") + range.text() +
          (parameter.unit.empty() ? "" : " [" + std::string(parameter.unit) + "]");
+}
+
+std::string why_refused(const Parameter& parameter, std::string_view text) {
+  const bool is_number = parameter.kind == Parameter::Kind::Number || parameter.kind == Parameter::Kind::Integer;
+  return (is_number && !parse_number(text) ? "not a number: " : "") + limit_text(parameter);
 }
 
 std::string value_text(const Parameter& parameter, double value) {

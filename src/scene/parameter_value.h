@@ -14,6 +14,8 @@ std::optional<double> parse_value(const Parameter& parameter, std::string_view t
 
 // What a value must be, for messages: "must be on or off", "must be at least 1 and at most 1000 [1/s]".
 std::string limit_text(const Parameter& parameter);
+// Why parse_value does not accept a text: the same, and that it is not a number.
+std::string why_refused(const Parameter& parameter, std::string_view text);
 
 // Reads back as the same value.
 std::string value_text(const Parameter& parameter, double value);

@@ -43,6 +43,17 @@ constexpr std::array parameterizations{
         "keep their own k."},
 };
 
+// Nothing jumps: the time of the muscles is the same before and after.
+void set_muscles(Scene& scene, MuscleClock muscles) {
+  const double time = scene.state.time, now = scene.system.muscles.at(time);
+  muscles.offset = now - muscles.rate() * time;
+  scene.system.muscles = muscles;
+}
+bool has_muscles(const Scene& scene) {
+  return scene.system.springs().have_laws() &&
+         std::ranges::any_of(scene.system.springs(), [](const Spring& spring) { return spring.law && spring.law->moves(); });
+}
+
 bool has_automatic_method(const Scene& scene) { return is_automatic(scene.settings); }
 
 // Rows are formatted as a table, so clang-format is off.
@@ -164,6 +175,16 @@ constexpr std::array rows{
               .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .zero_text = "off", .omit_if_default = true,
               .read = [](const Scene& s) { return percent_of(s.system.strain_limit); },
               .write = [](Scene& s, double value) { s.system.strain_limit = value / 100.0; }},
+    Parameter{.name = "muscles", .field = "muscles", .group = parameter_group::springs, .label = "Muscles", .unit = "",
+              .description = "Whether muscles and winches move; otherwise they keep their present rest lengths.",
+              .kind = Kind::Switch, .default_value = 1, .omit_if_default = true, .applies = has_muscles,
+              .read = [](const Scene& s) { return s.system.muscles.on ? 1.0 : 0.0; },
+              .write = [](Scene& s, double value) { set_muscles(s, {.on = value != 0.0, .speed = s.system.muscles.speed}); }},
+    Parameter{.name = "muscle_speed", .field = "muscle_speed", .group = parameter_group::springs, .label = "Muscle speed", .unit = "s/s",
+              .description = "How fast the time of muscles and winches passes.",
+              .min = 0, .max = 10, .default_value = 1, .physical = not_negative, .omit_if_default = true, .applies = has_muscles,
+              .read = [](const Scene& s) { return s.system.muscles.speed; },
+              .write = [](Scene& s, double value) { set_muscles(s, {.on = s.system.muscles.on, .speed = value}); }},
     Parameter{.name = "radius", .field = "", .group = parameter_group::points, .label = "Radius r", .unit = "m",
               .description = "Radius of every point, as drawn and for contact.",
               .min = 0.001, .max = 1, .default_value = 0.02, .logarithmic = true, .scope = Scope::PointSize,
@@ -312,6 +333,17 @@ double clamp_to(const Parameter& parameter, double value) {
   if (std::isnan(value)) return parameter.default_value;
   const double clamped = std::clamp(value, parameter.min, parameter.max);
   return parameter.kind == Kind::Number ? clamped : std::round(clamped);
+}
+
+void copy_surroundings(const Scene& from, Scene& to) {
+  for (const Parameter& row : rows) {
+    const bool is_of_scene = row.scope == Parameter::Scope::Number || row.scope == Parameter::Scope::Setting;
+    if (!row.field.empty() && is_of_scene && (row.is_given == nullptr || row.is_given(from))) row.write(to, row.read(from));
+  }
+  to.system.gravity = from.system.gravity;
+  to.system.wind = from.system.wind;
+  to.system.contact = from.system.contact;
+  to.settings = from.settings;
 }
 
 }  // namespace hooke

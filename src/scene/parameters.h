@@ -55,6 +55,9 @@ std::span<const Parameter> parameters();
 // The row of this name, or null.
 const Parameter* find_parameter(std::string_view name);
 
+// Gravity, wind, the settings of the simulation and every parameter that is not one of parts, from one scene to another.
+void copy_surroundings(const Scene& from, Scene& to);
+
 // Rows that other modules refer to.
 extern const Parameter &dimensions_parameter, &substeps_parameter, &tolerance_parameter, &speed_parameter, &stiffness_parameter,
     &new_stiffness_parameter, &drag_parameter, &friction_parameter;

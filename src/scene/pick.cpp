@@ -300,14 +300,20 @@ std::optional<SpringId> pick_spring(const Snapshot& snapshot, const ViewTransfor
   return picked;
 }
 
-std::vector<PointId> points_in_box(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& corner,
-                                   const glm::dvec2& opposite) {
-  const glm::dvec2 min = glm::min(corner, opposite), max = glm::max(corner, opposite);
+std::vector<PointId> points_within(const Snapshot& snapshot, const ViewTransform& view_transform, const std::vector<glm::dvec2>& outline) {
+  // a line to the right crosses the outline an odd number of times
+  const auto is_within = [&](const glm::dvec2& at) {
+    bool within = false;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const glm::dvec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+      if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)) within = !within;
+    }
+    return within;
+  };
   std::vector<PointId> inside;
   for (Index i = 0; i < snapshot.system->point_count(); ++i) {
     const std::optional<glm::dvec2> on_screen = project_to_screen(view_transform, snapshot.state.position[i]);
-    if (on_screen && on_screen->x >= min.x && on_screen->x <= max.x && on_screen->y >= min.y && on_screen->y <= max.y)
-      inside.push_back(snapshot.system->points()[i].id);
+    if (on_screen && is_within(*on_screen)) inside.push_back(snapshot.system->points()[i].id);
   }
   std::ranges::sort(inside);
   return inside;

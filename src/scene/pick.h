@@ -57,9 +57,8 @@ std::optional<SurfaceHit> pick_surface(const Snapshot& snapshot, const ViewTrans
 std::optional<SpringId> pick_spring(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& cursor,
                                     double pick_radius);
 
-// Visible points within the rectangle between two corners, in ascending order of their ids.
-std::vector<PointId> points_in_box(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& corner,
-                                   const glm::dvec2& opposite);
+// Points within a closed outline in the picture, in ascending order of their ids.
+std::vector<PointId> points_within(const Snapshot& snapshot, const ViewTransform& view_transform, const std::vector<glm::dvec2>& outline);
 
 // Springs that the path of the cursor from `from` to `to` crosses in the picture.
 std::vector<SpringId> springs_across(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& from,

@@ -58,7 +58,7 @@ double max_penetration(const Measurement& m) {
     const Point& point = m.system.points()[i];
     if (point.nailed) continue;
     for (const Collider& collider : colliders)
-      if (collider.solid) max = std::max(max, -gap_to(collider, point.radius, m.state.position[i]).distance);
+      if (collider.solid && !collider.one_way) max = std::max(max, -gap_to(collider, point.radius, m.state.position[i]).distance);
   }
   return max;
 }
@@ -134,6 +134,8 @@ constexpr std::array rows{
     QuantityRow{"energy_hand", "J", Of::Scene, "Energy supplied by the hand", balance_of<work_of<EnergyCause::Hand>>, true},
     QuantityRow{"energy_edits", "J", Of::Scene, "Energy supplied by edits", balance_of<work_of<EnergyCause::Edits>>, true},
     QuantityRow{"energy_forces", "J", Of::Scene, "Energy supplied by listed forces", balance_of<work_of_forces>, true},
+    QuantityRow{"energy_muscles", "J", Of::Scene, "Energy supplied by muscles and winches", balance_of<work_of<EnergyCause::Muscles>>,
+                true},
     QuantityRow{"energy_colliders", "J", Of::Scene, "Energy supplied by moving colliders", balance_of<work_of<EnergyCause::Colliders>>,
                 true},
     QuantityRow{"energy_limits", "J", Of::Scene, "Energy supplied by breaking springs and the strain limit", balance_of<work_of_limits>,

@@ -65,6 +65,7 @@ struct PreservedJson {
 struct Scene {
   std::string name;
   std::string description;
+  std::string notes;  // of the user
   System system;
   State state;
   Settings settings;

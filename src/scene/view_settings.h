@@ -27,16 +27,19 @@ struct ViewSettings {
   std::optional<Color> background;   // none: the default of the program
   // visible parts of the network; strain colors are shown on the springs, or on the surface if springs are hidden
   bool surface = true, springs = true, points = true, strain_colors = true;
+  bool coils = false;                  // springs are drawn as coils
   bool shadows = true;                 // near the ground, a sphere or a box
   std::string texture;                 // on the faces: a shipped texture, or a PNG in the folder of the scene; empty: none
   std::optional<double> texture_size;  // [m], width of the image on the cloth, > 0; none: the default of the texture
+  std::vector<std::string> plots;      // names of quantities (quantity.h); empty: those of the program
   bool operator==(const ViewSettings&) const = default;
 };
 
-// RGB, 8 bits, rows from the top.
+// RGB or RGBA, 8 bits, rows from the top.
 struct Picture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> pixels;
+  int channels = 3;
 };
 
 // [m] on the flat cloth, right and down from its first corner, of each point by its id; NaN: not on a cloth, as for all ids beyond the end.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "base/disjoint_sets.h"
 #include "sim/contact/gap.h"
@@ -35,6 +36,9 @@ Statics make_statics(const System& system) {
   Statics statics{make_plan(system, Numbering::AsListed), {}};
   Plan& plan = statics.plan;
   std::swap(statics.damping, plan.spring.damping);
+  LawSprings& laws = plan.spring.laws;
+  for (Index s = 0; s < plan.springs && !laws.empty() && !statics.damping.empty(); ++s)
+    if (laws.of_packed[s] != no_index) statics.damping[s] = std::exchange(laws.springs[laws.of_packed[s]].damping, 0.0);
   plan.drag = 0.0;
   plan.hand.pull.reset();
   plan.forces.clear();
@@ -46,12 +50,19 @@ Statics make_statics(const System& system) {
   return statics;
 }
 
+// [N/m], of a packed spring, at its rest length if it has a law.
+double stiffness_of(const Plan& plan, Index s) {
+  const LawSprings& laws = plan.spring.laws;
+  const bool has_law = !laws.empty() && laws.of_packed[s] != no_index;
+  return has_law ? laws.springs[laws.of_packed[s]].stiffness : plan.spring.stiffness[s];
+}
+
 // The number of free points connected to a nail.
 Index count_supported(const Plan& plan) {
   DisjointSets sets(static_cast<std::size_t>(plan.points));
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e)
-      if (plan.spring.stiffness[run.begin + e] > 0.0) sets.join(run.first + e, run.second + e);
+      if (stiffness_of(plan, run.begin + e) > 0.0) sets.join(run.first + e, run.second + e);
   std::vector<bool> holds(plan.points, false);
   for (Index i = 0; i < plan.points; ++i)
     if (plan.inverse_mass[i] == 0.0) holds[sets.root(i)] = true;
@@ -71,18 +82,19 @@ double compute_force_scale(const Plan& plan) {
   for (Index i = 0; i < plan.points; ++i)
     if (plan.inverse_mass[i] != 0.0) sum += plan.mass[i] * plan.mass[i] * pull * pull;
   if (sum > 0.0) return std::sqrt(sum / count_free(plan));
-  for (Index s = 0; s < plan.springs; ++s) sum += std::pow(plan.spring.stiffness[s] * plan.spring.rest_length[s], 2);
+  for (Index s = 0; s < plan.springs; ++s) sum += std::pow(stiffness_of(plan, s) * plan.spring.rest_length[s], 2);
   return std::sqrt(sum / plan.springs);
 }
 
 // Whether a collider affects the equilibrium.
 bool touches(const Plan& plan, const System& system, double time, const Field& x) {
-  for (const Collider& still : plan.colliders) {
+  const auto is_touched = [&](const Collider& still) {
     const Collider collider = collider_at_time(still, time);
     for (Index i = 0; i < plan.points; ++i)
       if (plan.inverse_mass[i] != 0.0 && gap_to(collider, system.points()[i].radius, vector_at(plan, x, i)).distance < 0.0) return true;
-  }
-  return false;
+    return false;
+  };
+  return std::ranges::any_of(plan.colliders, is_touched) || std::ranges::any_of(plan.one_way, is_touched);
 }
 // Whether faces or springs that touch each other do.
 bool surface_touches_itself(const Plan& plan, const Field& x) {
@@ -107,7 +119,7 @@ bool is_overstretched(const Plan& plan, const System& system, const Field& x) {
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const Spring& spring = system.springs()[plan.spring.index[run.begin + e]];
-      if (plan.spring.stiffness[run.begin + e] == 0.0) continue;
+      if (stiffness_of(plan, run.begin + e) == 0.0) continue;
       const double length = glm::distance(vector_at(plan, x, run.first + e), vector_at(plan, x, run.second + e));
       if (length >= system.break_length_of(spring)) return true;
       if (system.strain_limit > 0.0 && length > spring.rest_length * (1.0 + system.strain_limit)) return true;
@@ -181,7 +193,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
     return floppy_threshold;
   }
   // a floating or freely falling scene vibrates as if weightless
-  if (has_weight && !plan.colliders.empty()) return std::nullopt;
+  if (has_weight && (!plan.colliders.empty() || !plan.one_way.empty())) return std::nullopt;
   plan.acceleration = Vec3(0.0);
   if (!finds_equilibrium(weightless_residual, weightless_residual)) return std::nullopt;
   if (!has_weight)
@@ -198,6 +210,9 @@ Forecast make_forecast(const std::shared_ptr<const System>& system, const State&
   if (system->spring_count() == 0 || system->spring_count() > max_springs) return forecast;
   const bool has_external_forces = std::ranges::any_of(system->forces, &Force::on);
   Statics statics = make_statics(*system);
+  // muscles and winches stay where they are now
+  MuscleClock& muscles = statics.plan.spring.laws.clock;
+  muscles = {.on = false, .offset = muscles.at(state.time)};
   if (!(statics.plan.spectrum.omega > 0.0)) return forecast;
 
   Field x = initial_guess(statics.plan, *system, state, before);

@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "base/text_lines.h"
 #include "lab/large_run.h"
+#include "scene/crossed_parts.h"
 #include "sim/control/automatic.h"
 #include "sim/control/frame_error.h"
 #include "sim/forces/constants.h"
@@ -63,6 +64,7 @@ RunMonitor::RunMonitor(const Plan& plan, const Settings& settings, const System&
     : frames_per_estimate_(frames_per_estimate),
       start_{unexplained_energy(system, start), start.position.size()},
       scale_(start.supply.scale) {
+  if (system.dimensions == 2) first_crossings_ = static_cast<long>(count_crossings(system, start));
   const Now now{plan, settings, start, nullptr};
   // the method may become one whose modified energy is known
   if (is_large(start) && !is_automatic(settings))
@@ -128,7 +130,8 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   // of `auto`
   if (state.memory.choice) estimated_error_ += state.memory.choice->error.value_or(0.0);
   unconverged_solves_ += motion.counts.unconverged_solves;
-  note_crossings(motion.crossings, state.time - 1.0 / settings.frame_rate);
+  if (system.dimensions == 3) note_crossings(motion.crossings, state.time - 1.0 / settings.frame_rate);
+  is_forced_ = is_forced_ || plan.hand.held || std::ranges::any_of(system.points(), &Point::nailed);
   const Now now{plan, settings, state, &motion};
   const double energy = unexplained_energy(system, state);
   scale_ = state.supply.scale;
@@ -170,8 +173,12 @@ std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const 
     warnings.push_back(std::to_string(unconverged_solves_) + (unconverged_solves_ == 1 ? " solve" : " solves") + " did not converge");
   // those of the start are another warning
   if (first_crossings_ == 0 && max_crossings_ > 0)
-    warnings.push_back("nailed or held points forced up to " + pluralize(static_cast<std::size_t>(max_crossings_), "edge", "edges") +
-                       " through faces or springs, from " + quantity_text(crossed_time_, "s", 4) + " on");
+    warnings.push_back((is_forced_ ? "nailed or held points forced up to " : "up to ") +
+                       pluralize(static_cast<std::size_t>(max_crossings_), "edge", "edges") +
+                       (is_forced_            ? " through"
+                        : max_crossings_ == 1 ? " passes through"
+                                              : " pass through") +
+                       " faces or springs, from " + quantity_text(crossed_time_, "s", 4) + " on");
   // a run that loses most of its energy may gain some in between
   const double limit = tolerance.energy * scale_;
   const Extreme& gain = hidden_gain_.energy > rise_.energy ? hidden_gain_ : rise_;

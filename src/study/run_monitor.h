@@ -33,8 +33,8 @@ class RunMonitor {
   // `plan`: of `system` after the frame. `motion`: that of the frame, as it ended.
   void end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion);
 
-  // How many edges pass through faces, or springs of flat scenes through each other, at `time` [s]. Those at the starts of frames are known
-  // from `end_frame`; to be called at the end of the run.
+  // How many edges pass through faces, or springs of flat scenes through each other, at `time` [s]. In 3-D scenes those at the starts of
+  // frames are known from `end_frame`, in flat ones those at the start of the run; to be called at the end of the run.
   void note_crossings(long crossings, double time);
 
   long unconverged_solves() const { return unconverged_solves_; }
@@ -56,6 +56,7 @@ class RunMonitor {
   long frames_ = 0, unconverged_solves_ = 0;
   std::optional<long> first_crossings_;  // none: not known yet
   long max_crossings_ = 0;
+  bool is_forced_ = false;     // whether anything was nailed or held
   double crossed_time_ = 0.0;  // [s], when there were first some
   // An energy of the scene, minus the work done on it, and by how much the modified energy exceeded it then [J]. The latter costs some
   // force evaluations: in a large net, where a state takes much memory and a frame has many steps, it is computed at once, otherwise from a

@@ -212,8 +212,8 @@ ProblemRecord read_problem(const FieldReader& fields, const std::string& name) {
 PartRecord read_part(const FieldReader& fields, const std::string& name) {
   PartRecord part;
   visit_part(part, fields);
-  if (part.number < 1 || part.number > part.count || part.count > max_parts)
-    throw InputError(name + ": parts: number must be from 1 to count, and count at most " + std::to_string(max_parts));
+  if (part.number < 1 || part.number > part.count || part.count > max_part_records)
+    throw InputError(name + ": parts: number must be from 1 to count, and count at most " + std::to_string(max_part_records));
   return part;
 }
 

@@ -20,7 +20,7 @@ struct Conditions {
   bool operator==(const Conditions&) const = default;
 };
 
-inline constexpr std::size_t max_parts = 1'000'000;
+inline constexpr std::size_t max_part_records = 1'000'000;
 
 // A part of a benchmark that is divided among processes.
 struct PartRecord {

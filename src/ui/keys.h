@@ -21,12 +21,13 @@ enum class Key : int {
   Up = 265,
   Home = 268,
   F1 = 290,
+  F10 = 299,
   F12 = 301,
 };
 constexpr Key letter(char capital) { return static_cast<Key>(capital); }
 
 struct Modifiers {
-  bool control = false, shift = false;
+  bool control = false, shift = false, alt = false;
   bool operator==(const Modifiers&) const = default;
 };
 

@@ -8,6 +8,10 @@ namespace hooke {
 
 void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
   use_look(panels.look);
+  // the keyboard moves the focus only where keys are not shortcuts
+  const bool moves_focus = panels.dialog.kind != Dialog::Kind::None || panels.menus.is_open || panels.export_state.is_shown;
+  int& flags = ImGui::GetIO().ConfigFlags;
+  flags = moves_focus ? flags | ImGuiConfigFlags_NavEnableKeyboard : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
   if (!ImGui::IsAnyItemActive()) panels.edit_in_progress = false, panels.tuned_from.reset();
   panels.floating.clear();
   panels.time_under_mouse = std::exchange(panels.next_time_under_mouse, std::nullopt);

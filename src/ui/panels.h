@@ -2,6 +2,7 @@
 // else, so tests run them without a window.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <filesystem>
 #include <optional>
@@ -13,7 +14,6 @@
 #include "draw/view.h"
 #include "lab/accuracy/judgement.h"
 #include "lab/status.h"
-#include "scene/crossed_parts.h"
 #include "scene/selection.h"
 #include "study/check/result_check.h"
 #include "study/check/stretch.h"
@@ -101,9 +101,7 @@ struct PanelInput {
   ResultStatus<MethodComparison> comparison{};
   ResultStatus<ResultCheck> result_check{};
   ResultStatus<StretchBreakdown> stretch{};
-  const CrossedParts* crossed = nullptr;  // parts inside each other, which are highlighted; null: none
-  // The spring that is being attached.
-  std::optional<std::pair<Vec3, Vec3>> new_spring{};
+  const Marks* marks = nullptr;  // of the last frame; null: none
 
   // The number of times that the key was pressed for the panel since the last frame.
   int presses(PanelKey::Target target, Key key) const;
@@ -176,6 +174,21 @@ struct Messages {
   void log(const std::string& text);
 };
 
+// What the plots show.
+struct PlotView {
+  double seconds = 1e9;                          // [s], maximum time span
+  std::optional<double> end;                     // [s], end of the time span; without a value it follows the newest time
+  bool is_dragged = false;                       // since the mouse was pressed over a plot
+  std::array<std::optional<double>, 2> cursors;  // [s], A and B
+};
+
+// The menus of the menu bar, and open lists.
+struct Menus {
+  bool is_open = false;      // one of them, or a list
+  bool opens_first = false;  // with the next frame, with the focus on its first item
+  bool on_submenu = false;   // the focus is on an item that opens another menu
+};
+
 struct Panels {
   ViewOptions view;
   Dialog dialog;
@@ -185,7 +198,7 @@ struct Panels {
   Gallery gallery;
   Placement placement;
   ExportState export_state;
-  bool menu_is_open = false;
+  Menus menus;
   Messages messages;
   std::optional<double> dismissed;  // time of the divergence whose banner was closed [s]
   std::string file_warnings;        // about the opened file
@@ -204,9 +217,7 @@ struct Panels {
   bool result_check_shown = false;
   unsigned lesson_steps_done = 0;  // one bit for each step of the lesson that is open
   Ghosts ghosts;
-  double plot_seconds = 1e9;                                      // [s], maximum time span of the plots
-  std::optional<double> plot_end;                                 // [s], end of the time span; without a value it follows the newest time
-  bool plot_is_dragged = false;                                   // since the mouse was pressed over a plot
+  PlotView plots;
   std::optional<double> time_under_mouse, next_time_under_mouse;  // [s], over a plot or the timeline, which both mark it; of the next frame
   bool scrub_in_progress = false;                                 // the scrubber is being dragged
   double run_to = 10.0;                                           // [s], last time typed
@@ -266,6 +277,8 @@ void build_inspector(const PanelInput& input, Panels& panels, Requests& requests
 // The selected collider; and the rows of one, with what a row changed.
 void build_collider(const PanelInput& input, Panels& panels, Requests& requests);
 std::optional<Collider> collider_rows(const Collider& collider, int dimensions, Panels& panels);
+// The law of these springs.
+void build_spring_law(const PanelInput& input, const std::vector<Index>& springs, Panels& panels, Requests& requests);
 // What stretches the selected springs.
 void build_stretch(const PanelInput& input, Requests& requests);
 void build_parameters(const PanelInput& input, Panels& panels, Requests& requests);
@@ -273,8 +286,8 @@ void build_parameters(const PanelInput& input, Panels& panels, Requests& request
 inline constexpr const char* forces_section = "Forces";
 inline bool has_forces_first(const PanelInput& input) { return !input.status.document->opened_forces.empty(); }
 void build_forces(const PanelInput& input, Panels& panels, Requests& requests);
-// The default plots: the energies.
-std::vector<Quantity> first_plots(const System& system);
+// What is plotted: of the document, or by default the energies.
+std::vector<Quantity> plotted(const DocumentStatus& document, const System& system);
 void build_plots(const PanelInput& input, Panels& panels, Requests& requests);
 void build_timeline(const PanelInput& input, Panels& panels, Requests& requests);
 void build_history(const PanelInput& input, Requests& requests);

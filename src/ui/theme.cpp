@@ -2,7 +2,10 @@
 
 #include <imgui_freetype.h>
 
+#include <cmath>
 #include <filesystem>
+
+#include "ui/font_files.h"
 
 namespace hooke {
 namespace {
@@ -12,17 +15,24 @@ Fonts current_fonts;
 double current_scale = 1.0;
 
 // Latin, Greek and Cyrillic for names; punctuation, arrows and symbols for the panels.
-constexpr ImWchar glyphs[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x0400, 0x04ff, 0x2010, 0x2027, 0x2070,
-                              0x209f, 0x2190, 0x2193, 0x2200, 0x2265, 0x25cf, 0x25cf, 0};
+constexpr ImWchar glyphs[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x0400, 0x04ff, 0x2010, 0x2027, 0x2070, 0x209f,
+                              0x2190, 0x2193, 0x2200, 0x2265, 0x25a1, 0x25a1, 0x25cf, 0x25cf, 0};
 
+constexpr ImWchar missing_glyph = 0x25a1;  // a box
+
+// In whole pixels: the hinting of other sizes is blurred.
 ImFont* load_font(const char* name, double size, double density) {
+  const float pixels = static_cast<float>(std::round(size * density));
   ImGuiIO& io = ImGui::GetIO();
-  const std::filesystem::path file = std::filesystem::path("/usr/share/fonts/truetype/dejavu") / name;
+  const std::filesystem::path file = std::filesystem::path(fonts_folder) / name;
   std::error_code error;
   if (std::filesystem::is_regular_file(file, error))
-    if (ImFont* font = io.Fonts->AddFontFromFileTTF(file.c_str(), static_cast<float>(size * density), nullptr, glyphs)) return font;
+    if (ImFont* font = io.Fonts->AddFontFromFileTTF(file.c_str(), pixels, nullptr, glyphs)) {
+      font->FallbackChar = missing_glyph;
+      return font;
+    }
   ImFontConfig config;
-  config.SizePixels = static_cast<float>(size * density);
+  config.SizePixels = pixels;
   return io.Fonts->AddFontDefault(&config);
 }
 

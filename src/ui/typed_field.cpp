@@ -90,4 +90,20 @@ std::optional<double> typed_row(const TypedField& field, Panels& panels) {
   return value && (field.mixed || *value != field.value) ? value : std::nullopt;
 }
 
+bool text_field(std::string& text, float lines, Panels& panels) {
+  const ImGuiID id = ImGui::GetID("##text");
+  if (panels.typing == id) text = panels.typed_text;
+  const float height = std::max(1.0f, lines) * ImGui::GetTextLineHeight() + units(8.0);
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool edited = lines > 0.0f ? ImGui::InputTextMultiline("##text", &text, {-1.0f, height}) : ImGui::InputText("##text", &text);
+  const bool finished = ImGui::IsItemDeactivatedAfterEdit();
+  if (ImGui::IsItemActive() || edited) {
+    panels.typing = id;
+    panels.typed_text = text;
+  } else if (panels.typing == id) {
+    panels.typing = 0;
+  }
+  return finished;
+}
+
 }  // namespace hooke

@@ -1,5 +1,7 @@
 #include "ui/widgets.h"
 
+#include <imgui_internal.h>
+
 #include <cmath>
 #include <cstdio>
 
@@ -11,6 +13,23 @@ Rect current_window() {
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   return {at.x, at.y, size.x, size.y};
 }
+
+bool has_focused_item() {
+  const ImGuiContext& gui = *ImGui::GetCurrentContext();
+  return gui.NavId != 0 && !gui.NavDisableHighlight && gui.ActiveId == 0;
+}
+
+void press_focused_item() {
+  ImGuiContext& gui = *ImGui::GetCurrentContext();
+  gui.NavActivateId = gui.NavActivateDownId = gui.NavActivatePressedId = gui.NavId;
+}
+
+// Tab goes to items with this flag; activated as inputs, buttons are not pressed.
+void begin_tab_stops() {
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab))) ImGui::GetCurrentContext()->NavDisableHighlight = false;
+  ImGui::PushItemFlag(ImGuiItemFlags_Inputable, true);
+}
+void end_tab_stops() { ImGui::PopItemFlag(); }
 
 bool begin_panel(const char* name, const Rect& place, ImGuiWindowFlags flags) {
   ImGui::SetNextWindowPos(corner(place));

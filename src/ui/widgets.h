@@ -33,6 +33,15 @@ inline float middle_for(const Rect& scene, float width) {
   return std::clamp(middle, half, std::max(half, ImGui::GetIO().DisplaySize.x - half));
 }
 
+// Whether the keyboard has moved the focus to an item that is not being typed into.
+bool has_focused_item();
+// Presses the item that has the focus, as Space does.
+void press_focused_item();
+
+// Between them, Tab goes to buttons as well as to fields, and the focus is visible.
+void begin_tab_stops();
+void end_tab_stops();
+
 // Begins a panel that fills a rectangle of the window.
 bool begin_panel(const char* name, const Rect& place, ImGuiWindowFlags flags = 0);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "api/hooke_c.h"
 #include "formats/open_file.h"
 #include "lab/lab.h"
 #include "sim/model/hash.h"
@@ -121,6 +122,110 @@ TEST(Interface, ADivergenceKeepsTheLastValidState) {
   EXPECT_LT(frames, 1000);
   EXPECT_FALSE(simulation.diagnosis().empty());
   for (const double component : simulation.positions()) EXPECT_TRUE(std::isfinite(component));
+}
+
+TEST(Interface, AddsEveryMemberThatASceneFileHasAndRefusesOthers) {
+  v1::Scene scene;
+  scene.add_point({0, 1, 0}, 1.0);
+  scene.add(R"("gravity": [0, -2, 0], "drag": 0.5, "simulation": {"substeps": 7}, "contact": {"points": true})");
+  scene.add(R"("forces": [{"type": "wind", "x": 2}])");
+  const Scene read = parse_scene(scene.json(), "scene").scene;
+  EXPECT_EQ(read.system.gravity, Vec3(0.0, -2.0, 0.0));
+  EXPECT_EQ(read.system.drag, 0.5);
+  EXPECT_EQ(read.settings.substeps, 7);
+  EXPECT_EQ(read.settings.frame_rate, 60.0);
+  EXPECT_TRUE(read.system.contact.points);
+  EXPECT_EQ(read.system.forces.size(), 1u);
+  // what a later addition leaves out stays
+  scene.add(R"("simulation": {"frame_rate": 30})");
+  EXPECT_EQ(parse_scene(scene.json(), "scene").scene.settings.substeps, 7);
+  const auto refusal = [&](const char* members) {
+    try {
+      scene.add(members);
+    } catch (const v1::Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(R"("gravty": [0, -2, 0])"), "scene: gravty: unknown key");
+  EXPECT_EQ(refusal(R"("simulation": {"substep": 3})"), "scene: simulation.substep: unknown key");
+  EXPECT_EQ(refusal(R"("view": {})"), "scene: view: cannot be added to a scene");
+}
+
+TEST(Interface, ShowsTheNetworkAndItsForces) {
+  v1::Scene scene;
+  scene.add_point({0, 0, 0}, 1.0, true);
+  scene.add_point({0, -1, 0}, 2.0);
+  scene.add_spring(0, 1, 100.0);
+  scene.add(R"("colliders": [{"type": "sphere", "center": [5, 0, 0], "radius": 0.5}])");
+  v1::Simulation simulation(scene);
+  simulation.move(1, {0, -1.25, 0});
+  EXPECT_EQ(simulation.point_count(), 2);
+  EXPECT_EQ(simulation.springs(), (std::vector<std::int64_t>{0, 1}));
+  EXPECT_EQ(simulation.masses(), (std::vector{1.0, 2.0}));
+  EXPECT_EQ(simulation.nailed(), (std::vector{true, false}));
+  EXPECT_EQ(simulation.stiffness(), std::vector{100.0});
+  EXPECT_EQ(simulation.rest_lengths(), std::vector{1.0});
+  EXPECT_TRUE(simulation.faces().empty());
+  EXPECT_EQ(simulation.tensions(), std::vector{25.0});
+  // the nail bears the spring, and the weight of its own point
+  EXPECT_NEAR(simulation.reactions()[1], 25.0 + 9.81, 1e-12);
+  EXPECT_EQ(simulation.reactions()[4], 0.0);
+  ASSERT_EQ(simulation.colliders().size(), 1u);
+  EXPECT_EQ(simulation.colliders()[0].kind, v1::Collider::Kind::Sphere);
+  EXPECT_EQ(simulation.colliders()[0].first.x, 5.0);
+  EXPECT_EQ(simulation.colliders()[0].radius, 0.5);
+}
+
+TEST(Interface, StepsForATimeOnSeveralThreads) {
+  const v1::Scene scene = v1::Scene::load("cloth");
+  v1::Simulation frames(scene), seconds(scene);
+  seconds.set_threads(2);
+  for (int frame = 0; frame < 6; ++frame) frames.step();
+  EXPECT_TRUE(seconds.step(0.1));
+  EXPECT_EQ(seconds.hash(), frames.hash());
+  EXPECT_THROW(seconds.step(-1.0), v1::Error);
+  EXPECT_THROW(seconds.set_threads(0), v1::Error);
+}
+
+TEST(Interface, WhatWasMovedFromThrows) {
+  v1::Scene scene;
+  v1::Scene other = std::move(scene);
+  EXPECT_THROW(scene.point_count(), v1::Error);
+  EXPECT_THROW(v1::Scene copy(scene), v1::Error);
+  v1::Simulation simulation(other);
+  v1::Simulation moved = std::move(simulation);
+  EXPECT_THROW(simulation.step(), v1::Error);
+  EXPECT_THROW(simulation.positions(), v1::Error);
+  scene = other;
+  EXPECT_EQ(scene.point_count(), 0);
+}
+
+TEST(InterfaceForC, HasTheBitsOfTheInterfaceForCpp) {
+  v1::Simulation expected(v1::Scene::load("cloth"));
+  expected.step(0.1);
+  hooke_scene* scene = hooke_scene_load("cloth");
+  hooke_simulation* simulation = hooke_simulation_new(scene, HOOKE_ACCURACY_OFF);
+  hooke_scene_free(scene);
+  EXPECT_EQ(hooke_simulation_step(simulation, 0.1), 1);
+  EXPECT_EQ(hooke_simulation_hash(simulation), expected.hash());
+  EXPECT_EQ(hooke_simulation_positions(simulation)[4], expected.positions()[4]);
+  std::vector<double> tensions(static_cast<std::size_t>(hooke_simulation_spring_count(simulation)));
+  EXPECT_EQ(hooke_simulation_tensions(simulation, tensions.data()), 0);
+  EXPECT_EQ(tensions, expected.tensions());
+  hooke_simulation_free(simulation);
+}
+
+TEST(InterfaceForC, AnswersMistakesWithALine) {
+  EXPECT_EQ(hooke_scene_load("nowhere"), nullptr);
+  EXPECT_EQ(std::string(hooke_error()).substr(0, 9), "nowhere: ");
+  EXPECT_EQ(hooke_simulation_new(nullptr, 0), nullptr);
+  EXPECT_STREQ(hooke_error(), "pointer: must not be null");
+  hooke_scene* scene = hooke_scene_new();
+  EXPECT_EQ(hooke_scene_set(scene, "stiffness=-1"), -1);
+  EXPECT_EQ(hooke_scene_add_spring(scene, 0, 1, 1.0, 0.0), -1);
+  EXPECT_EQ(hooke_scene_add(scene, nullptr), -1);
+  hooke_scene_free(scene);
 }
 
 }  // namespace

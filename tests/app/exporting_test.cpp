@@ -126,8 +126,10 @@ TEST(Export, A3DSceneIsRefusedByXspringiesWithTheReason) {
 TEST(Export, APictureIsRequestedFromTheWindow) {
   Export png("two_masses", ".png");
   png.run();
-  EXPECT_EQ(png.gui().app().captures().take_picture_file(), png.file(".png"));
-  EXPECT_EQ(png.gui().app().captures().take_picture_file(), std::nullopt);
+  const auto wanted = png.gui().app().captures().take_wanted_picture();
+  ASSERT_TRUE(wanted);
+  EXPECT_EQ(wanted->file, png.file(".png"));
+  EXPECT_FALSE(png.gui().app().captures().take_wanted_picture());
 }
 
 TEST(Export, AnUnknownQuantityIsReported) {

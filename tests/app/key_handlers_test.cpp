@@ -72,9 +72,9 @@ TEST(KeyHandlers, AMenuTakesEscapeBeforeTheSelection) {
   GuiFixture gui(two_masses());
   gui.key(letter('A'), {.control = true});
   gui.click(gui.find("menu", {"Edit"}));
-  ASSERT_TRUE(gui.app().panels().menu_is_open);
+  ASSERT_TRUE(gui.app().panels().menus.is_open);
   EXPECT_EQ(press(gui, Key::Escape), "menu");
-  EXPECT_FALSE(gui.app().panels().menu_is_open);
+  EXPECT_FALSE(gui.app().panels().menus.is_open);
   EXPECT_FALSE(gui.app().selection().empty());
 }
 
@@ -98,6 +98,59 @@ TEST(KeyHandlers, TheGalleryKeepsKeysFromTheHiddenScene) {
       EXPECT_EQ(press(gui, row.key, row.modifiers), "") << key_text(row);
     }
   EXPECT_FALSE(gui.status().history.unsaved);
+}
+
+TEST(KeyHandlers, F10OpensTheMenusWhichTheArrowsAndEnterOperate) {
+  GuiFixture gui(two_masses());
+  const auto imgui_key = [&](int key) {
+    ImGui::GetIO().KeysDown[key] = true;
+    gui.frame();
+    ImGui::GetIO().KeysDown[key] = false;
+    gui.frame();
+  };
+  press(gui, Key::F10);
+  gui.frames(3);
+  ASSERT_TRUE(gui.app().panels().menus.is_open);
+  EXPECT_NE(gui.text().find("New flat scene"), std::string::npos);
+  EXPECT_EQ(press(gui, Key::Right), "menu");
+  gui.frames(2);
+  EXPECT_EQ(press(gui, Key::Right), "menu");
+  gui.frames(3);
+  EXPECT_NE(gui.text().find("Select all"), std::string::npos);
+  // keys of the scene do nothing while a menu is open
+  EXPECT_EQ(press(gui, letter('A')), "menu");
+  EXPECT_EQ(gui.app().tool(), Action::SelectTool);
+  for (int i = 0; i < 4 && gui.app().selection().empty(); ++i) {
+    imgui_key(ImGuiKey_DownArrow);
+    press(gui, Key::Enter);
+    gui.frames(2);
+    if (!gui.app().panels().menus.is_open) break;
+  }
+  EXPECT_FALSE(gui.app().panels().menus.is_open);
+}
+
+TEST(KeyHandlers, TabGoesToTheButtonsOfADialogAndEnterPressesTheFocusedOne) {
+  GuiFixture gui(two_masses());
+  bool later = false;
+  gui.app().panels().show_message("Title", "Text", {{"First", CloseDialog{}}, {"Second", Action::SelectAll}});
+  gui.frames(3);
+  const auto tab = [&] {
+    press(gui, Key::Tab);
+    ImGui::GetIO().KeysDown[ImGuiKey_Tab] = true;
+    gui.frame();
+    ImGui::GetIO().KeysDown[ImGuiKey_Tab] = false;
+    gui.frames(2);
+  };
+  for (int i = 0; i < 3 && !later; ++i) {
+    tab();
+    later = ImGui::GetCurrentContext()->NavId == GuiFixture::id_of("Message", {"Second"});
+  }
+  EXPECT_TRUE(later) << "Tab does not reach the second button";
+  EXPECT_FALSE(ImGui::GetCurrentContext()->NavDisableHighlight) << "the focus is not visible";
+  press(gui, Key::Enter);
+  gui.frames(3);
+  EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
+  EXPECT_EQ(gui.app().selection().points.size(), 2u);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/view/arrows.h"
 #include "formats/scene_file.h"
 #include "support/tool_fixture.h"
 #include "support/tool_scenes.h"
@@ -83,6 +84,41 @@ TEST(SelectTool, EscUndoesAMove) {
   EXPECT_TRUE(tool->cancel(fixture.context));
   fixture.settle();
   EXPECT_EQ(fixture.position(0), a);
+}
+
+// Press, move and release with these keys held.
+void drag_with(ToolFixture& fixture, Tool& tool, const Vec3& from, const Vec3& to, Modifiers modifiers) {
+  const auto at = [&](const Vec3& place) { return Pointer{fixture.seen(place), modifiers}; };
+  tool.press(at(from), fixture.context);
+  for (const double fraction : {0.5, 1.0}) tool.follow(at(glm::mix(from, to, fraction)), fixture.context);
+  tool.release(at(to), fixture.context);
+  fixture.settle();
+}
+
+TEST(SelectTool, AltAndADragSetTheVelocityOfTheSelectionAsOneStep) {
+  ToolFixture fixture(flat_scene({a, b}));
+  const auto tool = make_select_tool();
+  drag_with(fixture, *tool, a, a + Vec3(0.2, 0.1, 0.0), {.alt = true});
+  const double seconds = velocity_arrow_seconds(fixture.context.view_height());
+  EXPECT_LT(glm::distance(fixture.velocity(0), Vec3(0.2, 0.1, 0.0) / seconds), 1e-9);
+  EXPECT_EQ(fixture.velocity(1), Vec3(0.0));
+  EXPECT_EQ(fixture.position(0), a);
+  EXPECT_TRUE(fixture.context.status->history.undo_name.starts_with("velocity of 1 point to "));
+  fixture.submit(Undo{});
+  EXPECT_EQ(fixture.velocity(0), Vec3(0.0));
+}
+
+TEST(SelectTool, ALassoSelectsWhatItsPathEncloses) {
+  ToolFixture fixture(flat_scene({a, b, c}));
+  const auto tool = make_select_tool();
+  const auto at = [&](const Vec3& place) { return Pointer{fixture.seen(place), {.control = true}}; };
+  // a wedge whose box would contain all three points
+  tool->press(at({-0.9, 0.9, 0.0}), fixture.context);
+  for (const Vec3& place : {Vec3(0.9, 0.9, 0.0), Vec3(0.9, -0.2, 0.0), Vec3(-0.9, 0.6, 0.0)}) tool->follow(at(place), fixture.context);
+  EXPECT_GT(tool->stroke().size(), 2u);
+  EXPECT_FALSE(tool->rubber_band());
+  tool->release(at({-0.9, 0.6, 0.0}), fixture.context);
+  EXPECT_EQ(fixture.selection.points, std::vector{fixture.system().points()[1].id});
 }
 
 }  // namespace

@@ -167,6 +167,12 @@ Command RandomCommands::next(Lab& lab) {
       return set;
     }
     case 6: {
+      if (random_.one_in(3)) {
+        SetSpringLaw set;
+        for (const SpringId id : some_springs(scene))
+          set.values.emplace_back(id, SpringLaw{.force = static_cast<SpringForce>(random_.below(4)), .amplitude = number()});
+        return set;
+      }
       SetSpringProperty set{static_cast<SpringProperty>(random_.below(4)), {}};
       for (const SpringId id : some_springs(scene)) set.values.emplace_back(id, number());
       return set;

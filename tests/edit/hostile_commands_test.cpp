@@ -102,6 +102,13 @@ class Hostile {
       case 5:
         return SetSpringProperty{static_cast<SpringProperty>(random_.below(4)), {{spring(system), number()}}};
       case 6:
+        if (random_.one_in(2))
+          return SetSpringLaw{{{spring(system), SpringLaw{.force = static_cast<SpringForce>(random_.below(5)),
+                                                          .k3 = number(),
+                                                          .amplitude = number(),
+                                                          .frequency = number(),
+                                                          .rate = number(),
+                                                          .min_rest_length = number()}}}};
         return SetParameter{&row, number()};
       case 7:
         return RestoreParameter{&row, number()};

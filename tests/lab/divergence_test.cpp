@@ -52,7 +52,7 @@ TEST(Divergence, IsExplainedWithTheGrowthOfTheEnergyToTwoDigits) {
   EXPECT_EQ(message(6.04e5), "The simulation blew up: energy grew 600,000-fold, first at point 1. Stopped at t = 0.5 s.");
   EXPECT_EQ(message(123.0), "The simulation blew up: energy grew 120-fold, first at point 1. Stopped at t = 0.5 s.");
   EXPECT_EQ(message(1.26e7), "The simulation blew up: energy grew 13,000,000-fold, first at point 1. Stopped at t = 0.5 s.");
-  EXPECT_EQ(message(3e40), "The simulation blew up: energy grew 10^40-fold, first at point 1. Stopped at t = 0.5 s.");
+  EXPECT_EQ(message(3e40), "The simulation blew up: energy grew 1×10⁴⁰-fold, first at point 1. Stopped at t = 0.5 s.");
 }
 
 TEST(Divergence, OfUndampedExplicitEulerRecommendsAStableMethod) {
@@ -114,6 +114,8 @@ TEST(Divergence, ANetworkThatIsTooLargeForTheMethodStopsTheRunWithAReason) {
 
   lab.submit(SetIntegrator{find_integrator("symplectic_euler")});
   EXPECT_TRUE(lab.step());
+  lab.publish();
+  EXPECT_EQ(lab.status()->diagnosis.message, "") << "a good frame ends the diagnosis";
 }
 
 }  // namespace

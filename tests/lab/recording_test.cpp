@@ -50,6 +50,7 @@ std::vector<Command> one_of_each() {
       SetPointColor{{{PointId{1}, Color{9, 8, 7}}, {PointId{2}, std::nullopt}}},
       SetPointProperty{PointProperty::Radius, {{PointId{1}, 0.1}}},
       SetSpringProperty{SpringProperty::BreakStrain, {{SpringId{1}, never_breaks}}},
+      SetSpringLaw{{{SpringId{1}, SpringLaw{.force = SpringForce::Cubic, .k3 = -5.0, .rate = 0.1}}, {SpringId{2}, std::nullopt}}},
       SetParameter{find_parameter("drag"), 0.25},
       RestoreParameter{find_parameter("drag"), 1e9},
       SetIntegrator{find_integrator("xpbd")},
@@ -58,10 +59,13 @@ std::vector<Command> one_of_each() {
       MoveHand{{1, 2, 3}},
       ReleaseHand{},
       SetGravity{{0, -1.62, 0}},
-      SetColliders{{{Sphere{{1, 2, 3}, 4}, 0.5, 0.25, false, {{1, 2, 3}, 4, 5, {6, 7, 8}, {9, 10, 11}}},
+      SetColliders{{{Sphere{{1, 2, 3}, 4}, 0.5, 0.25, false, false, {{1, 2, 3}, 4, 5, {6, 7, 8}, {9, 10, 11}}},
                     {Plane{}, 0, 0, true},
                     {Box{}, 1, 1, true}}},
       SetForces{{{&force_terms()[0], false, default_values(force_terms()[0])}}},
+      SetVelocity{{{PointId{1}, {1, -2, 3}}}},
+      SetText{"Title", "What it is", "Notes"},
+      SetPlots{{"y1", "length0"}},
       SetTexture{"linen", 0.5, {}},
       GoToState{std::make_shared<const State>(
           State{.time = 0.1, .position = {{1, 2, 3}}, .velocity = {{4, 5, 6}}, .memory = {0.1, 0.2}, .torn = 4})},
@@ -78,8 +82,7 @@ TEST(CommandText, EveryCommandIsReadBackAsWritten) {
     kinds.insert(command.index());
     const std::string text = text_of(command);
     JsonParser parser;
-    const rapidjson::Value& value = parser.parse(text);
-    const JsonField whole(name, "command", value);
+    const JsonField whole(name, "command", parser.parse(text));
     EXPECT_EQ(text_of(read_command(whole.members()[0])), text);
   }
   // all except Replace, which contains a scene and is written on several lines

@@ -60,6 +60,13 @@ class RandomEdits {
   SetSpringProperty draw(Kind<SetSpringProperty>, Lab& lab) {
     return {static_cast<SpringProperty>(pick(4)), {{spring(lab), number()}, {spring(lab), number()}}};
   }
+  SetVelocity draw(Kind<SetVelocity>, Lab& lab) { return {{{point(lab), place()}}}; }
+  SetSpringLaw draw(Kind<SetSpringLaw>, Lab& lab) {
+    if (pick(2) == 0) return {{{spring(lab), std::nullopt}}};
+    return {{{spring(lab), SpringLaw{.force = SpringForce::Cable, .amplitude = 0.1 * number()}}}};
+  }
+  SetText draw(Kind<SetText>, Lab&) { return {"a title", "", std::to_string(pick(9))}; }
+  SetPlots draw(Kind<SetPlots>, Lab&) { return {{"y" + std::to_string(pick(2))}}; }
   SetParameter draw(Kind<SetParameter>, Lab&) { return {parameter(), number() * 10.0}; }
   // as an inverse command would contain them: values that were in effect
   RestoreParameter draw(Kind<RestoreParameter>, Lab& lab) {

@@ -181,14 +181,15 @@ TEST(Pick, IntersectsEachKindOfColliderAtItsSurface) {
   EXPECT_FALSE(hit_collider(system, {}, {{5.0, -3.0, 0.0}, {0.0, 1.0, 0.0}}));
 }
 
-TEST(Pick, ABoxSelectsThePointsInsideAndTheSpringsBetweenThem) {
+TEST(Pick, ALassoSelectsThePointsInsideAndTheSpringsBetweenThem) {
   Scenery scenery;
   const PointId a = scenery.ball({-0.2, 0.1, 0.0}, 0.0), b = scenery.ball({0.2, -0.1, 0.5}, 0.0), c = scenery.ball({0.9, 0.0, 0.0}, 0.0);
   const SpringId inside = scenery.sim.join(a, b, 1.0, 1.0);
   scenery.sim.join(b, c, 1.0, 1.0);
-  // corners in any order
-  const auto points =
-      points_in_box(scenery.snapshot(), scenery.view_transform(), scenery.seen({0.5, -0.5, 0.0}), scenery.seen({-0.5, 0.5, 0.0}));
+  std::vector<glm::dvec2> outline;
+  for (const Vec3& corner : {Vec3(0.5, -0.5, 0.0), Vec3(0.5, 0.5, 0.0), Vec3(-0.5, 0.5, 0.0), Vec3(-0.5, -0.5, 0.0)})
+    outline.push_back(scenery.seen(corner));
+  const auto points = points_within(scenery.snapshot(), scenery.view_transform(), outline);
   EXPECT_EQ(points, (std::vector{a, b}));
   EXPECT_EQ(select_with_springs_between(scenery.sim.system, points).springs, std::vector{inside});
 }

@@ -43,6 +43,24 @@ double max_overlap(const TestSim& sim) {
   return max;
 }
 
+// Three equal discs: the first meets the other two, which touch, in their plane of symmetry. Of the normals at 30 degrees from its path:
+// v' = -v / 5, and the others leave along them with 2 sqrt(3) / 5 v. Momentum and energy are conserved.
+TEST(PairContact, ImpactsAtTheSameTimeAreSolvedTogetherWhateverTheOrderOfThePoints) {
+  for (const double side : {0.1, -0.1}) {
+    TestSim sim = space(1.0);
+    sim.system.dimensions = 2;
+    const PointId first = add_ball(sim, 0.1, {0.0, 2.0, 0.0}, 1.0, {0.0, -1.0, 0.0});
+    const PointId one = add_ball(sim, 0.1, {side, 0.0, 0.0}), other = add_ball(sim, 0.1, {-side, 0.0, 0.0});
+    sim.run(verlet(), 3.0, 3600);
+    const auto v = [&](PointId id) { return sim.state.velocity[static_cast<std::size_t>(sim.system.index_of(id))]; };
+    EXPECT_NEAR(glm::distance(v(first), Vec3(0.0, 0.2, 0.0)), 0.0, 1e-12);
+    const double leaving = 0.4 * std::sqrt(3.0);
+    const Vec3 away(std::copysign(0.5 * leaving, side), -0.5 * std::sqrt(3.0) * leaving, 0.0);
+    EXPECT_NEAR(glm::distance(v(one), away), 0.0, 1e-12);
+    EXPECT_NEAR(glm::distance(v(other), Vec3(-away.x, away.y, 0.0)), 0.0, 1e-12);
+  }
+}
+
 class PairContactOf : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, PairContactOf, testing::ValuesIn(every_method()), method_name);
 

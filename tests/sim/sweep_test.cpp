@@ -141,7 +141,7 @@ TEST(DashpotSweep, OfALargeNetGoesFromTheMiddleToBothSidesToTheSameBitsOnAnyThre
     sweeps.prepare(swept.plan, duration);
     for (const SweepDirection sweep : {SweepDirection::Forward, SweepDirection::Backward}) {
       Field v = swept.motion.v;
-      sweeps.sweep(swept.plan, sweep, swept.motion.x, v);
+      sweeps.sweep(swept.plan, sweep, 0.0, swept.motion.x, v);
       EXPECT_EQ(v, plain_velocities_after(swept, sweep, from_middle(swept.plan, n / 2 * n))) << threads << " threads";
       EXPECT_NE(v, plain_velocities_after(swept, sweep)) << "one half after the other";
     }
@@ -156,7 +156,7 @@ TEST(DashpotSweep, OfALargeGraphWithoutHalvesIsThatOfASmallOne) {
   DashpotSweeps sweeps;
   sweeps.prepare(swept.plan, duration);
   Field v = swept.motion.v;
-  sweeps.sweep(swept.plan, SweepDirection::Forward, swept.motion.x, v);
+  sweeps.sweep(swept.plan, SweepDirection::Forward, 0.0, swept.motion.x, v);
   EXPECT_EQ(v, plain_velocities_after(swept, SweepDirection::Forward));
 }
 

@@ -11,8 +11,8 @@
 namespace hooke {
 namespace {
 
-// Points in rows with two faces in each cell, in random places; some nailed, some cells without an area. With `separated`, faces without
-// an area are between all others, so that none form a row.
+// Points in rows with a quad in each cell, in random places; some nailed, some cells without an area. With `separated`, faces without an
+// area are between them, so that none form a row.
 TestSim sheet_of_faces(int rows, int columns, bool separated) {
   Random random(static_cast<std::uint64_t>(100 * rows + columns));
   TestSim sim;
@@ -22,14 +22,11 @@ TestSim sheet_of_faces(int rows, int columns, bool separated) {
     random.one_in(7) ? sim.nail(position) : sim.add(position, random.uniform(0.1, 1.0), {z, x, y});
   }
   const auto id = [&](int row, int column) { return sim.system.points()[static_cast<std::size_t>(row * columns + column)].id; };
-  const auto add = [&](PointId a, PointId b, PointId c) {
-    sim.system.faces.push_back({{a, b, c}});
-    if (separated) sim.system.faces.push_back({{a, a, a}});
-  };
   for (int row = 0; row + 1 < rows; ++row)
     for (int column = 0; column + 1 < columns; ++column) {
-      add(id(row, column), id(row + 1, column), id(row, column + 1));
-      add(id(row, column + 1), id(row + 1, column), id(row + 1, column + 1));
+      sim.system.faces.push_back({{id(row, column), id(row + 1, column), id(row, column + 1)}});
+      sim.system.faces.push_back({{id(row, column + 1), id(row + 1, column), id(row + 1, column + 1)}});
+      if (separated) sim.system.faces.push_back({{id(row, column), id(row, column), id(row, column)}});
     }
   sim.system.forces = {{.term = &wind_force, .values = {2.0, 1.0, -3.0, 0.6, 0.1, 0.0, 1.0, 1.0}}};
   return sim;
@@ -49,7 +46,7 @@ Result wind_on(const TestSim& sim) {
   Result result{.force = motion.v};
   wind_force.add(plan, values, 0.0, motion.x.data(), motion.v.data(), result.force.data());
   result.power = wind_force.power(plan, values, 0.0, motion.x.data(), motion.v.data());
-  result.rows = static_cast<Index>(plan.force_data.face_rows.size());
+  result.rows = static_cast<Index>(plan.force_data.panel_rows.size());
   return result;
 }
 

@@ -56,13 +56,13 @@ std::vector<Injection> injections() {
     const Scene sheet = sheet_with(method, 20);
     const auto& springs = sheet.system.springs();
     const auto& points = sheet.system.points();
-    add("stiff spring", sheet, {SetSpringProperty{SpringProperty::Stiffness, {{springs[14].id, 3e5}}}}, "k: 100 -> 300,000 N/m");
-    add("stiff springs", sheet, {RestoreParameter{find_parameter("stiffness"), 2.7e5}}, "k: 100 -> 270,000 N/m");
-    add("strong dashpot", sheet, {SetSpringProperty{SpringProperty::Damping, {{springs[14].id, 1e3}}}}, "d: 0 -> 1,000 N s/m");
-    add("light mass", sheet, {SetPointProperty{PointProperty::Mass, {{points[6].id, 1e-5}}}}, "mass: 0.04 -> 1×10⁻⁵ kg");
+    add("stiff spring", sheet, {SetSpringProperty{SpringProperty::Stiffness, {{springs[14].id, 3e5}}}}, "k: 100 → 300,000 N/m");
+    add("stiff springs", sheet, {RestoreParameter{find_parameter("stiffness"), 2.7e5}}, "k: 100 → 270,000 N/m");
+    add("strong dashpot", sheet, {SetSpringProperty{SpringProperty::Damping, {{springs[14].id, 1e3}}}}, "d: 0 → 1,000 N s/m");
+    add("light mass", sheet, {SetPointProperty{PointProperty::Mass, {{points[6].id, 1e-5}}}}, "mass: 0.04 → 1×10⁻⁵ kg");
     Scene stiff = sheet;
     for (Index s = 0; s < stiff.system.spring_count(); ++s) stiff.system.spring(s)->stiffness = 1e4;
-    add("jumped slider", stiff, {SetParameter{&substeps_parameter, 1.0}}, "Substeps: 20 -> 1");
+    add("jumped slider", stiff, {SetParameter{&substeps_parameter, 1.0}}, "Substeps: 20 → 1");
     add("hand", sheet, {GrabPoint{{.point = points[6].id, .kind = GrabKind::Pull, .target = Vec3(0.7, -0.5, 0.0), .stiffness = 1e6}}},
         "drag a point");
     add(
@@ -83,7 +83,7 @@ std::vector<Injection> injections() {
         {}, "");
   }
   add("method", sheet_with("velocity_verlet", 4), {SetIntegrator{find_integrator("explicit_euler")}},
-      "method: Velocity Verlet -> Explicit Euler");
+      "method: Velocity Verlet → Explicit Euler");
   // buoyancy is at most the weight again: it makes nothing diverge
   Scene light = sheet_with("velocity_verlet", 2);
   for (Index i = 0; i < light.system.point_count(); ++i) light.system.point(i).mass *= 1e-3;

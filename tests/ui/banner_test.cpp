@@ -89,7 +89,7 @@ Scene stable_springs() {
 TEST(Banner, NamesTheLastChangeAtOnceAndRestoresItsPreviousValue) {
   GuiFixture gui(stable_springs());
   run_and_stiffen(gui);
-  EXPECT_NE(gui.text().find("k: 100 -> 100,000 N/m"), std::string::npos) << gui.text();
+  EXPECT_NE(gui.text().find("k: 100 → 100,000 N/m"), std::string::npos) << gui.text();
   const std::string words = words_with_remedy(gui);
   EXPECT_NE(words.find("without this change it does not diverge"), std::string::npos) << words;
   EXPECT_NE(words.find("Restore the previous value"), std::string::npos) << words;
@@ -154,7 +154,7 @@ TEST(Banner, AfterAnEditDuringTheRunContinuesFromTheLastGoodStateWithTheEditedPa
   run_and_stiffen(gui);
   const std::string words = words_with_remedy(gui);
   ASSERT_NE(words.find("Continue from t = "), std::string::npos) << words;
-  EXPECT_NE(words.find("k: 100 -> 100,000 N/m"), std::string::npos) << words;
+  EXPECT_NE(words.find("k: 100 → 100,000 N/m"), std::string::npos) << words;
   click_remedy(gui);
   EXPECT_EQ(gui.status().snapshot->system->springs()[0].stiffness, 1e5);
   expect_to_run_through(gui, 1.5);

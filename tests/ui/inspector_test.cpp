@@ -121,6 +121,21 @@ TEST(Inspector, NailsAndColorsAll) {
   EXPECT_EQ(gui.system().points()[2].color, (Color{1, 2, 3}));
 }
 
+TEST(Inspector, SetsTheVelocityOfFreePointsAsOneStep) {
+  Inspector gui(chain());
+  gui.app().handle(Request(Edit{SetNailed{{{gui.system().points()[0].id, true}}}}));
+  gui.frames(2);
+  const glm::dvec2 place = gui.find("side", {"points", "Velocity y", "##typed"});
+  ASSERT_GT(place.x, 0.0);
+  gui.type_at(place, "-2.5");
+  const State& state = gui.status().snapshot->state;
+  EXPECT_EQ(state.velocity[0], Vec3(0.0));
+  EXPECT_EQ(state.velocity[1], Vec3(0.5, -2.5, 0.0));
+  EXPECT_EQ(state.velocity[2], Vec3(0.0, -2.5, 0.0));
+  gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.status().snapshot->state.velocity[1], Vec3(0.5, 0.0, 0.0));
+}
+
 TEST(Inspector, IsShownOnlyForASelectionAndFollowsIt) {
   Inspector gui(chain(2));
   EXPECT_EQ(gui.text().find("Position z"), std::string::npos);

@@ -1,6 +1,7 @@
 // The plots and the timeline: one time for both, and no line across a jump in time.
 #include <gtest/gtest.h>
 
+#include "formats/scene_file.h"
 #include "support/flat_scene.h"
 #include "support/gui_fixture.h"
 #include "support/gui_sheets.h"
@@ -129,6 +130,55 @@ TEST(Plots, EscClosesTheListOfQuantities) {
   gui.key(Key::Escape);
   gui.frames(2);
   EXPECT_FALSE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
+}
+
+TEST(Plots, TwoCursorsShowThePeriodAndTheFrequencyBetweenThem) {
+  GuiFixture gui(swinging());
+  run_with_plots(gui);
+  const double time = gui.status().snapshot->state.time;
+  for (const double fraction : {0.25, 0.5}) {
+    ImGui::GetIO().KeyShift = true;
+    gui.click(place_of(gui, fraction), Button::Left, {.shift = true});
+    ImGui::GetIO().KeyShift = false;
+  }
+  const std::string text = gui.text();
+  const auto at = text.find("B - A = ");
+  ASSERT_NE(at, std::string::npos) << text;
+  const double period = std::stod(text.substr(at + 8)), frequency = std::stod(text.substr(text.find('(', at) + 1));
+  EXPECT_NEAR(period, 0.5, 0.01);
+  EXPECT_NEAR(frequency * period, 1.0, 1e-3);
+  EXPECT_EQ(gui.status().snapshot->state.time, time);
+}
+
+TEST(Plots, AreSavedWithTheSceneAndShownWhenItIsOpened) {
+  Scene scene = swinging();
+  {
+    GuiFixture gui(scene);
+    gui.key(letter('P'));
+    gui.app().handle(Request(Edit{SetPlots{{"y1", "length0"}}}));
+    gui.frames(3);
+    ASSERT_EQ(gui.status().timeline.traces->traces.size(), 2u);
+    EXPECT_EQ(gui.status().timeline.traces->traces[0].quantity.name(), "y1");
+    EXPECT_TRUE(gui.status().history.unsaved);
+  }
+  scene.view.plots = {"y1", "length0"};
+  const Scene read = parse_scene(format_scene(scene), "memory").scene;
+  EXPECT_EQ(read.view.plots, scene.view.plots);
+  GuiFixture opened(read);
+  EXPECT_TRUE(opened.app().panels().plots_shown);
+  EXPECT_EQ(opened.status().timeline.traces->traces.size(), 2u);
+}
+
+TEST(Plots, TheTitleAndTheNotesAreEditedSavedAndUndone) {
+  GuiFixture gui(swinging());
+  gui.app().handle(Request(Edit{SetText{"Pendulum", "Swings.", "For lesson 3"}}));
+  gui.frames(2);
+  EXPECT_NE(gui.text().find("For lesson 3"), std::string::npos);
+  Scene scene = swinging();
+  scene.notes = "Two\nlines";
+  EXPECT_EQ(parse_scene(format_scene(scene), "memory").scene.notes, scene.notes);
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_EQ(gui.status().document->name, "Swinging");
 }
 
 }  // namespace

@@ -202,6 +202,7 @@ std::function<void(Scene&)> Document::add_view_settings() const {
     scene.view.springs = view.springs;
     scene.view.points = view.points;
     scene.view.strain_colors = view.strain_colors;
+    scene.view.coils = view.coils;
     scene.view.shadows = view.shadows;
   };
 }

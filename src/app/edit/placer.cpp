@@ -12,6 +12,7 @@
 #include "base/printable.h"
 #include "edit/copy_selection.h"
 #include "formats/mesh/mesh_cloth.h"
+#include "scene/warnings/small_collider_warning.h"
 
 namespace hooke {
 namespace {
@@ -143,6 +144,8 @@ void Placer::place() {
     std::vector<Collider> colliders = carried_colliders(context_.system(), context_.snapshot().state);
     context_.selection = {.points = {}, .springs = {}, .collider = static_cast<Index>(colliders.size())};
     colliders.push_back(*collider);
+    if (const auto text = small_collider_text(context_.system(), context_.snapshot().state, *collider))
+      panels_.show_toast("Note: " + *text);
     context_.lab.submit(SetColliders{std::move(colliders)}, context_.begin_gesture());
     return stop();
   }

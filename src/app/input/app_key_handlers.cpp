@@ -33,22 +33,20 @@ KeyHandlers App::make_key_handlers() {
        }},
       {"menu",
        [this, pass_on](const KeyPress& press) {
-         if (!panels_.menu_is_open || (press.key != Key::Escape && press.key != Key::Enter)) return false;
-         panels_.messages.toast.clear();
-         pass_on(Target::Menu, press);
+         if (!panels_.menus.is_open) return false;
+         if (press.key == Key::Escape) panels_.messages.toast.clear();
+         pass_on(Target::Menu, press.key == Key::F10 ? KeyPress{Key::Escape, {}} : press);
          return true;
        }},
-      // Enter and Esc, unless a number is being typed
+      // all keys, unless a number is being typed
       {"export",
        [this, pass_on, close](const KeyPress& press) {
          if (!panels_.export_state.is_shown || panels_.typing != 0) return false;
-         if (press.key == Key::Escape && exporter_.is_running()) {
+         if (press.key == Key::Escape && exporter_.is_running())
            exporter_.stop();
-           return true;
-         }
-         if (close(panels_.export_state.is_shown, press)) return true;
-         if (press.key == Key::Enter) pass_on(Target::Export, press);
-         return press.key == Key::Enter;
+         else if (!close(panels_.export_state.is_shown, press) && press.key == Key::Enter)
+           pass_on(Target::Export, press);
+         return true;
        }},
       // a text field passes on only F1 and combinations with Ctrl
       {"text field",

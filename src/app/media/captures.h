@@ -15,10 +15,14 @@ class Captures {
   Captures(ToolContext& context, Panels& panels, const Document& document) : context_(context), panels_(panels), document_(document) {}
 
   // The main loop draws the picture and reports the result.
-  void take_picture() { take_picture(document_.new_file_beside(".png")); }
-  void take_picture(std::filesystem::path file) { picture_file_ = std::move(file); }
+  struct WantedPicture {
+    std::filesystem::path file;
+    PictureOptions options;
+  };
+  void take_picture() { take_picture(document_.new_file_beside(".png"), {}); }
+  void take_picture(std::filesystem::path file, const PictureOptions& options) { picture_ = {std::move(file), options}; }
   // The picture to be written, once.
-  std::optional<std::filesystem::path> take_picture_file() { return std::exchange(picture_file_, std::nullopt); }
+  std::optional<WantedPicture> take_wanted_picture() { return std::exchange(picture_, std::nullopt); }
   void report_picture(const std::filesystem::path& file, const std::string& error);
 
   void start_or_stop_film();
@@ -30,13 +34,13 @@ class Captures {
 
   FilmRecorder& film_recorder() { return film_recorder_; }
   double film_seconds() const { return film_recorder_.is_filming() ? film_recorder_.seconds() : -1.0; }
-  bool is_busy() const { return picture_file_ || film_recorder_.is_filming() || film_recorder_.is_writing(); }
+  bool is_busy() const { return picture_ || film_recorder_.is_filming() || film_recorder_.is_writing(); }
 
  private:
   ToolContext& context_;
   Panels& panels_;
   const Document& document_;
-  std::optional<std::filesystem::path> picture_file_;
+  std::optional<WantedPicture> picture_;
   FilmRecorder film_recorder_;
   std::filesystem::path recording_;  // empty if none is in progress
 };

@@ -41,7 +41,7 @@ void Exporter::start() {
   if (file_.extension() != kind.extension)
     return panels_.show_message("Cannot export", "The path must end in " + std::string(kind.extension) + ".");
   if (kind.source == ExportSource::Picture) {
-    captures_.take_picture(file_);
+    captures_.take_picture(file_, state.picture);
     state.is_shown = false;
     return;
   }
@@ -90,7 +90,8 @@ void Exporter::export_state() {
 
 void Exporter::export_plots() {
   const TraceTable& traces = *context_.status->timeline.traces;
-  if (traces.traces.empty()) return panels_.show_message("Cannot export", "There are no plots: press P to show some first.");
+  if (traces.traces.empty() || traces.times.empty())
+    return panels_.show_message("Cannot export", "There are no plots: press P to show some first.");
   try {
     write_atomically(file_, to_csv(traces));
     finish({}, false);

@@ -37,6 +37,9 @@ struct ToolContext {
   const System& system() const { return *snapshot().system; }
   ViewTransform view_transform() const { return {camera.projection_matrix(size.x / size.y) * camera.view_matrix(), size, shows_surface}; }
 
+  // [m], at the target of the camera.
+  double view_height() const { return camera.meters_per_pixel(camera.target, size) * size.y; }
+
   // Reads the latest status; removed items are deselected.
   void take_status();
   // Waits for a moment until the laboratory has handled what was submitted, and reads its status. Returns false if it is not finished.

@@ -4,7 +4,9 @@
 
 #include "app/tools/collider_drag.h"
 #include "app/tools/tools.h"
+#include "app/view/arrows.h"
 #include "scene/collider_kinds.h"
+#include "ui/text.h"
 
 namespace hooke {
 namespace {
@@ -19,6 +21,7 @@ class SelectTool : public Tool {
       context.selection = select_connected(context.system(), context.selection);
       return;
     }
+    if (pointer.modifiers.alt) return press_velocity(context);
     if (const auto handle = handle_at(pointer.at, context)) {
       handle_ = *handle;
       gesture_ = context.begin_gesture();
@@ -29,12 +32,15 @@ class SelectTool : public Tool {
       select(*spring, add, context.selection);
     else if (collider_.begin(pointer.at, DraggableColliders::Bounded, context))
       interaction_ = Interaction::Collider;
-    else
+    else {
       interaction_ = Interaction::Box;
+      if (pointer.modifiers.control) lasso_ = {pointer.at};
+    }
   }
 
   void follow(const Pointer& pointer, ToolContext& context) override {
     current_ = pointer.at;
+    if (!lasso_.empty() && lasso_.back() != pointer.at) lasso_.push_back(pointer.at);
     if (interaction_ == Interaction::Waiting && context.is_drag(pressed_at_, pointer.at)) begin_move(context);
     if (interaction_ == Interaction::Moving) move(context);
     if (interaction_ == Interaction::Sizing) size(context);
@@ -47,6 +53,7 @@ class SelectTool : public Tool {
   void release(const Pointer& pointer, ToolContext& context) override {
     follow(pointer, context);
     if (interaction_ == Interaction::Box) select_box(pointer, context);
+    if (interaction_ == Interaction::Velocity) set_velocity(context);
     if (interaction_ == Interaction::Collider && !collider_moves_)
       context.selection = {.points = {}, .springs = {}, .collider = collider_.collider()};
     collider_.end(context);
@@ -66,14 +73,22 @@ class SelectTool : public Tool {
     if (interaction_ == Interaction::Moving) return "release to finish, Esc undoes";
     if (interaction_ == Interaction::Collider || interaction_ == Interaction::Sizing) return "move and release; Esc undoes";
     if (interaction_ == Interaction::Box) return "drag a box around what to select";
+    if (interaction_ == Interaction::Velocity)
+      return "velocity " + quantity_text(glm::length(velocity(context)), "m/s") + "; release sets it, Esc cancels";
     if (context.selection.collider) return "drag the body to move it, its handles to size it; Del deletes it";
-    if (!context.selection.empty()) return "drag a selected point to move all; Shift+click adds; double-click selects connected";
-    return "click a point or a spring, or drag a box from empty space";
+    if (!context.selection.empty())
+      return "drag a selected point to move all; Alt+drag sets its velocity; Shift+click adds; double-click selects connected";
+    return "click a point or a spring; drag a box from empty space, with Ctrl a lasso";
   }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
     marks.hovered_collider = collider_.collider();
     mark_handles(context, marks);
+    if (interaction_ == Interaction::Velocity && context.system().index_of(point_) != no_index) {
+      const Vec3 from = context.snapshot().position(point_);
+      marks.arrows.insert(marks.arrows.begin(),
+                          {Arrows::Kind::Velocity, arrow_seconds_, {{from, from + arrow_seconds_ * velocity(context)}}});
+    }
     if (interaction_ != Interaction::Nothing) return;
     marks.hovered_point = context.point_at(pointer.at);
     if (!marks.hovered_point) marks.hovered_spring = context.spring_at(pointer.at);
@@ -82,12 +97,14 @@ class SelectTool : public Tool {
   }
 
   std::optional<std::pair<glm::dvec2, glm::dvec2>> rubber_band() const override {
-    if (interaction_ != Interaction::Box) return std::nullopt;
+    if (interaction_ != Interaction::Box || !lasso_.empty()) return std::nullopt;
     return std::pair{pressed_at_, current_};
   }
 
+  std::vector<glm::dvec2> stroke() const override { return lasso_; }
+
  private:
-  enum class Interaction { Nothing, Waiting, Moving, Box, Collider, Sizing };
+  enum class Interaction { Nothing, Waiting, Moving, Box, Collider, Sizing, Velocity };
 
   // The selected collider where it is now; none if there is none.
   static std::optional<Collider> selected_collider(const ToolContext& context) {
@@ -148,6 +165,33 @@ class SelectTool : public Tool {
     if (!add) interaction_ = Interaction::Waiting;
   }
 
+  void press_velocity(ToolContext& context) {
+    const auto point = context.point_at(pressed_at_);
+    if (!point || context.system().points()[context.system().index_of(*point)].nailed) {
+      context.notice = point ? "A nailed point has no velocity" : "Alt+drag from a point sets its velocity";
+      return;
+    }
+    point_ = *point;
+    if (!context.selection.contains(point_)) context.selection = {{point_}, {}};
+    arrow_seconds_ = velocity_arrow_seconds(context.view_height());
+    interaction_ = Interaction::Velocity;
+  }
+
+  // The arrow from the point to the cursor.
+  Vec3 velocity(const ToolContext& context) const {
+    if (context.system().index_of(point_) == no_index) return Vec3(0.0);
+    const Vec3 from = context.snapshot().position(point_);
+    return (context.point_in_view_plane(current_, from) - from) / arrow_seconds_;
+  }
+
+  // Of all selected points.
+  void set_velocity(ToolContext& context) const {
+    SetVelocity set;
+    if (!context.is_drag(pressed_at_, current_)) return;
+    for (const PointId id : context.selection.points) set.values.emplace_back(id, velocity(context));
+    context.lab.submit(std::move(set));
+  }
+
   void begin_move(ToolContext& context) {
     if (context.system().index_of(point_) == no_index) return;
     interaction_ = Interaction::Moving;
@@ -172,14 +216,19 @@ class SelectTool : public Tool {
     context.lab.submit(move, gesture_);
   }
 
+  // Of the box or the lasso.
+  std::vector<glm::dvec2> outline() const {
+    if (!lasso_.empty()) return lasso_;
+    return {pressed_at_, {current_.x, pressed_at_.y}, current_, {pressed_at_.x, current_.y}};
+  }
+
   void select_box(const Pointer& pointer, ToolContext& context) const {
     Selection found;
     // a click on a plane, which a drag does not move
     if (!context.is_drag(pressed_at_, pointer.at) && !pointer.modifiers.shift)
       if (const auto hit = context.collider_at(pointer.at)) found.collider = hit->collider;
     if (context.is_drag(pressed_at_, pointer.at))
-      found = select_with_springs_between(context.system(),
-                                          points_in_box(context.snapshot(), context.view_transform(), pressed_at_, pointer.at));
+      found = select_with_springs_between(context.system(), points_within(context.snapshot(), context.view_transform(), outline()));
     if (pointer.modifiers.shift)
       context.selection.add(found);
     else
@@ -190,9 +239,11 @@ class SelectTool : public Tool {
   glm::dvec2 pressed_at_{0.0}, current_{0.0};
   PointId point_{};
   ColliderDrag collider_;
+  std::vector<glm::dvec2> lasso_;  // [px], since the press; empty: a box
   bool collider_moves_ = false, is_sized_ = false;
   std::size_t handle_ = 0;  // of the selected collider
   Gesture gesture_ = 0;
+  double arrow_seconds_ = 1.0;  // of the arrow of a velocity
   Vec3 anchor_{0.0}, from_{0.0}, displacement_{0.0};
   std::vector<std::pair<PointId, Vec3>> start_;
 };

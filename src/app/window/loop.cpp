@@ -89,18 +89,33 @@ void draw(View& view, App& app, const Window& window, const Scale& scale, const 
   app.captures().film_recorder().take(view, options.place, seconds_since({}));
 }
 
-// The scene without panels, at its size on screen.
-void take_picture(View& view, App& app, const Scale& scale, const std::filesystem::path& file) {
+// The scene without panels, or the window, at its size on screen or at another one.
+void take_picture(View& view, App& app, const Window& window, const Scale& scale, const ImDrawData* panels,
+                  const Captures::WantedPicture& wanted) {
+  const PictureOptions& wish = wanted.options;
   ViewOptions options = app.view_options();
-  options.scale = scale.scale() * scale.density();
   const Rect& scene = app.layout().scene;
-  const auto pixels = [&](double length) { return static_cast<int>(std::lround(length * scale.density())); };
-  view.draw(*app.status().snapshot, {}, app.camera(), options, pixels(scene.width), pixels(scene.height), nullptr);
+  const double density = scale.density(), height = wish.panels || wish.height == 0 ? scene.height * density : wish.height;
+  const double width = wish.panels || wish.width == 0 ? scene.width * density : wish.width;
+  options.scale = scale.scale() * height / scene.height;
+  options.transparent = wish.transparent && !wish.panels;
+  if (options.transparent) options.grid = false;
   try {
-    write_png(view.read(), file);
-    app.captures().report_picture(file, {});
-  } catch (const FileError& error) {
-    app.captures().report_picture(file, error.what());
+    if (wish.panels) {
+      const auto pixels = [&](double length) { return static_cast<int>(std::lround(length * density)); };
+      options.place = {pixels(scene.x), pixels(scene.y), pixels(scene.width), pixels(scene.height)};
+      const glm::ivec2 size = window.framebuffer_size();
+      view.draw(*app.status().snapshot, app.marks(), app.camera(), options, size.x, size.y, panels);
+    } else {
+      Marks marks;
+      marks.arrows = app.marks().arrows;
+      view.draw(*app.status().snapshot, marks, app.camera(), options, static_cast<int>(std::lround(width)),
+                static_cast<int>(std::lround(height)), nullptr);
+    }
+    write_png(view.read(options.transparent), wanted.file);
+    app.captures().report_picture(wanted.file, {});
+  } catch (const std::runtime_error& error) {  // FileError, or a picture that is too large for the graphics card
+    app.captures().report_picture(wanted.file, error.what());
   }
 }
 
@@ -128,6 +143,9 @@ void run_loop(Window& window, App& app) {
       continue;
     }
 
+    // a picture that was asked for in the frame before: without the dialog that did
+    const auto wanted = app.captures().take_wanted_picture();
+
     // panels
     if (Gallery& gallery = app.panels().gallery; gallery.is_shown && gallery.thumbnails == nullptr)
       gallery.thumbnails = view.upload_picture(read_thumbnails());
@@ -136,7 +154,7 @@ void run_loop(Window& window, App& app) {
     const ImDrawData* panels = window.gui().end_frame();
     window.set_title(app.title());
 
-    if (const auto file = app.captures().take_picture_file()) take_picture(view, app, scale, *file);
+    if (wanted) take_picture(view, app, window, scale, panels, *wanted);
 
     // picture
     const auto start = Clock::now();

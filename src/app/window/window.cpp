@@ -29,7 +29,9 @@ Key key_of(int key, int scancode) {
   return static_cast<Key>(key);
 }
 
-Modifiers modifiers_of(int mods) { return {.control = (mods & GLFW_MOD_CONTROL) != 0, .shift = (mods & GLFW_MOD_SHIFT) != 0}; }
+Modifiers modifiers_of(int mods) {
+  return {.control = (mods & GLFW_MOD_CONTROL) != 0, .shift = (mods & GLFW_MOD_SHIFT) != 0, .alt = (mods & GLFW_MOD_ALT) != 0};
+}
 
 bool is_down(GLFWwindow* window, int left, int right) {
   return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
@@ -37,7 +39,8 @@ bool is_down(GLFWwindow* window, int left, int right) {
 
 Modifiers modifiers_now(GLFWwindow* window) {
   return {.control = is_down(window, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
-          .shift = is_down(window, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT)};
+          .shift = is_down(window, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+          .alt = is_down(window, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
 }
 
 // The last error of GLFW, on one line.

@@ -43,7 +43,7 @@ std::string parse_range(const std::vector<std::string_view>& parts, SweepAxis& a
   if (parts.size() != 4 || (parts[2] != "log" && parts[2] != "lin")) return "a range must be MIN:MAX:log:COUNT or MIN:MAX:lin:COUNT";
   const auto first = parse_value(parameter, parts[0]), last = parse_value(parameter, parts[1]);
   for (const auto& [value, text] : {std::pair{first, parts[0]}, std::pair{last, parts[1]}})
-    if (!value) return printable(text, 80) + ": " + limit_text(parameter);
+    if (!value) return printable(text, 80) + ": " + why_refused(parameter, text);
   const bool is_log = parts[2] == "log";
   if (is_log && !(std::min(*first, *last) > 0.0)) return "the ends of a logarithmic range must be more than 0";
   if (*first == *last) return "the ends of a range must differ";
@@ -77,7 +77,7 @@ std::string parse_axis(std::string_view text, SweepAxis& axis) {
   for (const std::string_view word : split(text, ',')) {
     if (word.empty()) return "a value is missing";
     const auto value = parse_value(*axis.parameter, word);
-    if (!value) return printable(word, 80) + ": " + limit_text(*axis.parameter);
+    if (!value) return printable(word, 80) + ": " + why_refused(*axis.parameter, word);
     if (std::ranges::count(axis.values, *value) > 0) return printable(word, 80) + ": is repeated";
     axis.values.push_back(*value);
   }

@@ -95,7 +95,7 @@ int bench(const BenchOptions& options) {
     for (const ProblemRecord& record : results.results.problems) std::cout << report(record);
   if (is_interrupted) {
     std::cerr << "Interrupted. Results so far are saved; the same command resumes from them.\n";
-    return exit_interrupted;
+    return exit_interrupted();
   }
   if (!results.is_complete) std::cerr << "Time limit of --quick reached. Results so far are saved; the same command resumes from them.\n";
   return results.has_failed ? exit_code::check_failed : exit_code::success;

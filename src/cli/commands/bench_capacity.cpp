@@ -53,7 +53,7 @@ int bench_capacity(const std::filesystem::path& folder, std::span<const Integrat
   const CapacityResult result =
       measure_capacity(methods, capacity_sizes(quick), relative_error, quick ? 0.5 : 60.0, begin_size, [] { return !was_interrupted(); });
   if (shows_progress) std::cerr << "\r\x1b[K" << std::flush;
-  if (was_interrupted()) return exit_interrupted;
+  if (was_interrupted()) return exit_interrupted();
 
   std::string csv = "method,points,springs,substeps,tolerance_m,relative_error,frame_ms,bounded\n";
   std::string table = formatted(

@@ -33,7 +33,7 @@ int bench_edits(const std::filesystem::path& folder, bool quick, bool quiet) {
   for (const EditCase& row : edit_cases()) {
     if (!quiet) std::cout << "| " << row.name << " |" << std::flush;
     for (const Scene& scene : scenes) {
-      if (was_interrupted()) return exit_interrupted;
+      if (was_interrupted()) return exit_interrupted();
       const double ms = 1e3 * measure_edit(row, scene, count);
       append_formatted(csv, "%s,%d,%d,%.4g\n", std::string(row.name).c_str(), scene.system.point_count(), scene.system.spring_count(), ms);
       if (!quiet) std::cout << formatted(" %.3g |", ms) << std::flush;

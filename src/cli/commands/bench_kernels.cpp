@@ -48,7 +48,7 @@ int bench_kernels(const std::filesystem::path& folder, bool quick, bool quiet) {
   for (const KernelCase& row : kernel_cases()) {
     if (!quiet) std::cout << "| " << row.name << " |" << std::flush;
     for (const int n : sizes) {
-      if (was_interrupted()) return exit_interrupted;
+      if (was_interrupted()) return exit_interrupted();
       // in a quick run, not those that take long to settle
       if (n > (quick && row.settle > 0.0 ? sizes.front() : row.max_size)) {
         if (!quiet) std::cout << " |";

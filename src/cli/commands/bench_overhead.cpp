@@ -37,7 +37,7 @@ int bench_overhead(const std::filesystem::path& folder, const std::vector<std::s
   for (const Integrator* method : methods) {
     if (!quiet) std::cout << "| `" << method->id << "` |" << std::flush;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (was_interrupted()) return exit_interrupted;
+      if (was_interrupted()) return exit_interrupted();
       const MeterOverhead measured =
           quick ? measure_meter_overhead(loaded[i], *method, 1, 0.0) : measure_meter_overhead(loaded[i], *method, 3, 0.5);
       append_formatted(csv, "%s,%s,%d,", csv_field(printable(names[i], 80)).c_str(), std::string(method->id).c_str(), measured.substeps);

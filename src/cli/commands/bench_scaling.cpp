@@ -23,7 +23,7 @@ int bench_scaling(const std::filesystem::path& folder, bool quick, bool quiet) {
         << "| cloth | springs | ms per step | ns per spring and step | peak memory [MiB] | bytes per spring |\n|---|---|---|---|---|---|\n";
   std::vector<ScalingRow> rows;
   for (const int n : scaling_sizes(quick)) {
-    if (was_interrupted()) return exit_interrupted;
+    if (was_interrupted()) return exit_interrupted();
     const ScalingRow row = rows.emplace_back(measure_scaling(n));
     const double mib = row.peak_bytes / (1 << 20);
     append_formatted(csv, "%d,%ld,%.6g,%.4g,%.4g,%.4g\n", n * n, row.springs, row.step_ms, row.ns_per_spring(), mib,

@@ -4,12 +4,15 @@
 #include <memory>
 #include <optional>
 
+#include "base/number_text.h"
 #include "base/printable.h"
 #include "batch/capture.h"
+#include "cli/interrupt.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "lab/lab.h"
 #include "lab/recording.h"
+#include "ui/font_files.h"
 
 namespace hooke {
 namespace {
@@ -35,18 +38,24 @@ int capture(const Options& options) {
   parse_size(options.size);
   parse_destination(options.out);
   if (options.camera) parse_camera(*options.camera);
+  if ((options.panels || options.stamp) && !options.scene->quiet && !has_font_files())
+    std::cerr << "warning: " << fonts_folder << ": no DejaVu Sans (package fonts-dejavu-core): text is drawn with another font\n";
   std::shared_ptr<const Recording> recording;
   Lab lab = open_lab(options, recording);
-  lab.set_execution({.team = team_of(options.threads)});
+  lab.set_execution(make_execution(lab, options.threads));
   const double length = recording ? static_cast<double>(recording->frames) / lab.scene().settings.frame_rate : 0.0;
+  catch_interrupts(lab);
   std::optional<ProgressBar> progress;
   const CaptureResults results = capture_frames(lab, options, length, [&](long done, long all) {
     if (!progress) progress.emplace(all, !options.scene->quiet);
     progress->show(done);
-    return true;
   });
   progress.reset();
 
+  if (results.interrupted) {
+    std::cerr << "Interrupted: the pictures end at t = " << number_text(lab.scene().state.time) << " s.\n";
+    return exit_interrupted();
+  }
   if (!results.error_limit.empty()) std::cerr << results.error_limit << "\n";
   if (!lab.difference().empty()) std::cerr << printable(*options.replay) << ": " << lab.difference() << "; the pictures end there\n";
   if (!results.diverged && lab.difference().empty() && results.error_limit.empty() && !results.tolerance_warning.empty()) {
@@ -95,10 +104,7 @@ std::function<int()> declare_capture(CLI::App& app) {
          "Write report.csv and report.json to this folder: time, error, predictability, energy balance, cost and hash of every picture")
       ->type_name("DIR");
   app.add_flag("--stamp", options->stamp, "Write the time, the error and the method into each picture");
-  app.add_option("--fail-above", options->fail_above,
-                 "Exit with 1 if the accumulated error exceeds this or is not known, and name the first such frame [m]")
-      ->type_name("METERS")
-      ->check(within(positive));
+  add_fail_above_option(app, options->fail_above);
   app.add_option("--camera", options->camera, "Position of the eye and its target [m]; default: as in the scene, or showing all of it")
       ->type_name("X,Y,Z,X,Y,Z");
   return [options, &app] {

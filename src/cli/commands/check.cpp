@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <iostream>
 
+#include "base/build_info.h"
+#include "base/json_writer.h"
 #include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/check.h"
+#include "batch/junit.h"
 #include "batch/machine.h"
 #include "batch/output_file.h"
+#include "batch/run_frames.h"
 #include "cli/interrupt.h"
 #include "cli/progress_bar.h"
 #include "formats/open_file.h"
@@ -23,10 +27,11 @@ struct CheckOptions {
   std::vector<std::string> scenes;   // none: all shipped scenes
   std::vector<std::string> methods;  // ids; none: all
   std::vector<int> cases;            // numbers; none: all
-  std::optional<std::string> json, markdown;
+  std::optional<std::string> json, junit, markdown;
   int threads = 0;  // 0: one per core
   bool hard = false, quick = false, strict = false, quiet = false, result = false;
   std::optional<double> seconds;  // of --result
+  bool writes_summary() const { return !json && !junit && !markdown && !quiet; }
 };
 
 void write(const std::optional<std::string>& file, const std::string& text) {
@@ -69,23 +74,67 @@ int check_hard_cases(const CheckOptions& options) {
 
   if (was_interrupted()) std::cerr << "Interrupted. Results so far:\n";
   write(options.json, format_json(results));
+  std::vector<JunitCase> reported;
+  for (const CaseResult& each : results)
+    if (each.finished)
+      reported.push_back({.group = std::string(each.hard_case->name),
+                          .name = std::string(each.method != nullptr ? each.method->id : "any"),
+                          .failure = is_broken(each.verdict) ? "unexpected: " + each.verdict.measured : ""});
+  write(options.junit, format_junit("hooke check --hard", reported));
   if (options.markdown && !was_interrupted())
     write(options.markdown,
           format_markdown(results, {.command = command_of(options), .date = time_text("%Y-%m-%d"), .machine = machine()}));
-  if (!options.json && !options.markdown && !options.quiet) std::cout << format_table(results);
-  if (was_interrupted()) return exit_interrupted;
+  if (options.writes_summary()) std::cout << format_table(results);
+  if (was_interrupted()) return exit_interrupted();
   return count_broken(results) == 0 ? exit_code::success : exit_code::check_failed;
 }
 
+// {"version", "checks": [{"scene", "method", "passed", "measured"}], "failed", "interrupted"}
+std::string format_checks(const std::vector<std::pair<std::string, CheckResult>>& results, long failed) {
+  JsonWriter json;
+  json.begin_object(JsonWriter::Layout::Lines);
+  json.text("version", program_version);
+  json.key("checks");
+  json.begin_list(JsonWriter::Layout::Lines);
+  for (const auto& [name, result] : results) {
+    json.begin_object(JsonWriter::Layout::Line);
+    json.text("scene", name);
+    json.text("method", result.method->id);
+    json.boolean("passed", result.passed);
+    json.text("measured", result.measured);
+    json.end();
+  }
+  json.end();
+  json.integer("failed", failed);
+  json.boolean("interrupted", was_interrupted());
+  json.end();
+  return json.take() + "\n";
+}
+
 int check_scenes(const CheckOptions& options) {
-  int failed = 0;
-  for (const std::string& name : options.scenes.empty() ? shipped_scene_ids() : options.scenes)
-    for (const CheckResult& result : check_scene(load_file(find_scene(name)).scene)) {
-      failed += result.passed ? 0 : 1;
-      if (!options.quiet)
+  catch_interrupts();
+  std::vector<std::pair<std::string, CheckResult>> results;
+  const auto check_one = [&](const std::string& name) {
+    const Scene scene = load_file(find_scene(name)).scene;
+    for (CheckResult& result : check_scene(scene, &throw_if_interrupted)) {
+      if (options.writes_summary())
         std::cout << (result.passed ? "passed  " : "FAILED  ") << printable(name, 80) << ", " << result.method->id << ": "
                   << result.measured << std::endl;
+      results.emplace_back(name, std::move(result));
     }
+  };
+  try {
+    for (const std::string& name : options.scenes.empty() ? shipped_scene_ids() : options.scenes) check_one(name);
+  } catch (const Interrupted&) {
+    std::cerr << "Interrupted. The results so far are complete.\n";
+  }
+  std::vector<JunitCase> cases;
+  for (const auto& [name, result] : results)
+    cases.push_back({.group = name, .name = std::string(result.method->id), .failure = result.passed ? "" : result.measured});
+  const long failed = std::ranges::count_if(results, [](const auto& each) { return !each.second.passed; });
+  write(options.json, format_checks(results, failed));
+  write(options.junit, format_junit("hooke check", cases));
+  if (was_interrupted()) return exit_interrupted();
   return failed == 0 ? exit_code::success : exit_code::check_failed;
 }
 
@@ -102,7 +151,7 @@ int check_results(const CheckOptions& options) {
       return !was_interrupted();
     });
   }
-  if (was_interrupted()) return exit_interrupted;
+  if (was_interrupted()) return exit_interrupted();
   write(options.json, format_json(result));
   if (!options.json && !options.quiet) std::cout << format_table(result);
   return result.note.empty() ? exit_code::success : exit_code::diverged;
@@ -111,15 +160,14 @@ int check_results(const CheckOptions& options) {
 int check(const CheckOptions& options) {
   const bool of_one_result = options.result || options.seconds;
   if (options.seconds && !options.result) throw UsageError("--seconds requires --result");
-  if (of_one_result && (options.hard || options.quick || options.strict || options.markdown || !options.methods.empty() ||
+  if (of_one_result && (options.hard || options.quick || options.strict || options.junit || options.markdown || !options.methods.empty() ||
                         !options.cases.empty() || options.threads > 0))
     throw UsageError("--result accepts only SCENE, --seconds, --json and --quiet");
   if (options.result) return check_results(options);
-  const bool of_hard_cases = options.quick || options.strict || options.json || options.markdown || !options.methods.empty() ||
-                             !options.cases.empty() || options.threads > 0;
-  if (of_hard_cases && !options.hard)
-    throw UsageError("--quick, --strict, --cases, --methods, --threads, --json and --markdown require --hard");
-  require_separate_files({}, {{"--json", options.json}, {"--markdown", options.markdown}});
+  const bool of_hard_cases =
+      options.quick || options.strict || options.markdown || !options.methods.empty() || !options.cases.empty() || options.threads > 0;
+  if (of_hard_cases && !options.hard) throw UsageError("--quick, --strict, --cases, --methods, --threads and --markdown require --hard");
+  require_separate_files({}, {{"--json", options.json}, {"--junit", options.junit}, {"--markdown", options.markdown}});
   if (options.hard && !options.scenes.empty()) throw UsageError("--hard has its own scenes and accepts no SCENE");
   return options.hard ? check_hard_cases(options) : check_scenes(options);
 }
@@ -145,6 +193,7 @@ std::function<int()> declare_check(CLI::App& app) {
       ->type_name("N")
       ->check(within({.min = 1, .max = 256}));
   app.add_option("--json", options->json, "Write the results as JSON; - for stdout")->type_name("FILE");
+  app.add_option("--junit", options->junit, "Write the results as the XML of JUnit; - for stdout")->type_name("FILE");
   app.add_option("--markdown", options->markdown, "Write the tables of docs/evidence/stability.md; - for stdout")->type_name("FILE");
   app.add_flag("-q,--quiet", options->quiet, "Print only errors");
   return [options] { return check(*options); };

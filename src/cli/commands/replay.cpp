@@ -5,8 +5,10 @@
 #include "base/number_text.h"
 #include "base/printable.h"
 #include "base/text_lines.h"
+#include "batch/junit.h"
 #include "batch/output_file.h"
 #include "batch/run_frames.h"
+#include "cli/interrupt.h"
 #include "cli/output_options.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
@@ -27,24 +29,27 @@ std::string describe_missing(long replayed, long recorded) {
 struct ReplayOptions {
   std::string log;
   bool verify = false, quiet = false;
+  std::optional<std::string> junit;
   int threads = 1;
   OutputOptions output;
 };
 
 int replay(const ReplayOptions& options) {
-  require_separate_files(options.log, {{"--json", options.output.files.json}, {"--csv", options.output.files.csv}});
+  require_separate_files(options.log,
+                         {{"--json", options.output.files.json}, {"--csv", options.output.files.csv}, {"--junit", options.junit}});
   const auto recording = std::make_shared<const Recording>(read_recording(options.log));
   if (recording->is_truncated && !options.quiet)
     std::cerr << "warning: " << printable(options.log) << ": its last line is incomplete; replaying up to there\n";
 
   Lab lab(*recording->start, KeepStart::No);
-  lab.set_execution({.team = team_of(options.threads)});
+  lab.set_execution(make_execution(lab, options.threads));
   const Scene& scene = lab.scene();
   RunOutput output(options.output.files, options.log, scene, parse_points(options.output.points, scene.system.point_count()));
   const RunRequest request{.sample = options.output.sample,
                            .accuracy = options.output.accuracy.value_or(output.needs_accuracy() ? AccuracyMode::Full : AccuracyMode::Off)};
   RunHooks hooks = output.hooks();
   RunTotals totals;
+  catch_interrupts(lab);
   {
     ProgressBar progress(recording->frames, !options.quiet);
     hooks.progress = [&](long done, long) { progress.show(done); };
@@ -52,8 +57,18 @@ int replay(const ReplayOptions& options) {
   }
   output.finish(totals);
 
+  if (totals.interrupted) {
+    std::cerr << "Interrupted: the results end at t = " << number_text(scene.state.time) << " s.\n";
+    return exit_interrupted();
+  }
   const bool is_same = lab.difference().empty();
-  if (!options.quiet && !options.output.writes_to_stdout())
+  if (options.junit) {
+    OutputFile file(*options.junit);
+    file.write(
+        format_junit("hooke replay", {{.group = printable(options.log), .name = "every frame as recorded", .failure = lab.difference()}}));
+    file.close();
+  }
+  if (!options.quiet && !options.output.writes_to_stdout() && options.junit != "-")
     std::cout << totals.frames << " frames to " << format_exact(scene.state.time) << " s, hash " << to_hexadecimal(totals.hash)
               << (options.verify && is_same ? ": every frame as recorded\n" : "\n");
   if (is_same) return exit_code::success;
@@ -70,6 +85,8 @@ std::function<int()> declare_replay(CLI::App& app) {
   auto options = std::make_shared<ReplayOptions>();
   app.add_option("LOG", options->log, "A recording (" + std::string(recording_extension) + ")")->required();
   app.add_flag("--verify", options->verify, "Exit with code 1 if a frame, also the last one, differs from the recorded one in any bit");
+  app.add_option("--junit", options->junit, "Write whether the frames are as recorded as the XML of JUnit; - for stdout")
+      ->type_name("FILE");
   add_output_options(app, options->output, Summary::WithoutAccuracy);
   add_threads_option(app, options->threads);
   app.add_flag("-q,--quiet", options->quiet, "Print no warnings, progress or summary");

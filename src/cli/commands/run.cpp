@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "base/printable.h"
 #include "base/text_lines.h"
+#include "batch/capture_report.h"
 #include "batch/engine/run_with_engine.h"
 #include "batch/run_frames.h"
 #include "batch/run_report.h"
@@ -16,14 +17,10 @@
 #include "lab/accuracy/accuracy_text.h"
 #include "lab/lab.h"
 #include "sim/control/automatic.h"
-#include "sim/forces/single_precision.h"
 #include "sim/methods/integrator.h"
-#include "sim/methods/precision.h"
 
 namespace hooke {
 namespace {
-
-enum class Precision { Double, Single };
 
 struct RunOptions {
   std::shared_ptr<SceneOptions> scene;
@@ -31,6 +28,7 @@ struct RunOptions {
   OutputOptions output;
   int threads = 1;
   Precision precision = Precision::Double;
+  std::optional<double> fail_above;   // [m]
   std::optional<std::string> engine;  // "mpirun -np 2 lmp"; none: this program computes the frames
 };
 
@@ -41,7 +39,8 @@ std::string accuracy_summary(const RunOptions& options, const Accuracy& accuracy
            (options.engine ? "--engine" : "--accuracy off");
   const std::string time = accuracy.frame.value ? " at t = " + quantity_text(accuracy.frame_time, "s") : "";
   const std::string frame = "error of a frame" + time + ": " + error_text(accuracy.frame, accuracy.size);
-  if (options.output.accuracy != AccuracyMode::Full) return frame + "; accumulated, predictability: not measured without --accuracy full";
+  if (options.output.accuracy != AccuracyMode::Full && !options.fail_above)
+    return frame + "; accumulated, predictability: not measured without --accuracy full";
   return frame + "; accumulated: " + error_text(accuracy.accumulated, accuracy.size) + "; " + predictability_text(accuracy);
 }
 
@@ -65,7 +64,7 @@ bool has_summary(const RunOptions& options) { return !options.output.files.json 
 
 // What is measured by default: all of it for a file that contains it, the error of frames for the summary.
 AccuracyMode default_accuracy(const RunOptions& options, const RunOutput& output) {
-  if (output.needs_accuracy()) return AccuracyMode::Full;
+  if (output.needs_accuracy() || options.fail_above) return AccuracyMode::Full;
   return has_summary(options) ? AccuracyMode::Frame : AccuracyMode::Off;
 }
 
@@ -95,7 +94,7 @@ int run_engine(const RunOptions& options) {
   progress.reset();
   if (results.is_stopped) {
     std::cerr << "Interrupted: the engine was ended and nothing was written.\n";
-    return exit_interrupted;
+    return exit_interrupted();
   }
   finish(options, scene, output, results.totals, {});
   if (!results.totals.diverged) return exit_code::success;
@@ -103,20 +102,14 @@ int run_engine(const RunOptions& options) {
   return exit_code::diverged;
 }
 
-// Null: double precision. Throws UsageError.
-std::shared_ptr<SinglePrecision> precision_of(const RunOptions& options, const Lab& lab) {
-  if (options.precision == Precision::Double) return nullptr;
-  if (const std::string needs = needs_double_precision(lab.plan(), lab.scene().settings); !needs.empty())
-    throw UsageError("--precision single: not for " + needs);
-  return std::make_shared<SinglePrecision>();
-}
-
 int run(const RunOptions& options) {
   require_separate_files(options.scene->scene,
                          {{"--json", options.output.files.json}, {"--csv", options.output.files.csv}, {"--pc2", options.output.files.pc2}});
+  if (options.fail_above && options.output.accuracy.value_or(AccuracyMode::Full) != AccuracyMode::Full)
+    throw UsageError("--fail-above: requires --accuracy full");
   if (options.engine) return run_engine(options);
   Lab lab(open_scene(*options.scene), KeepStart::No);
-  lab.set_execution({.team = team_of(options.threads), .single = precision_of(options, lab)});
+  lab.set_execution(make_execution(lab, options.threads, options.precision));
   const Scene& scene = lab.scene();
   RunRequest request{.seconds = options.seconds, .sample = options.output.sample};
   count_frames(request.seconds, scene.settings.frame_rate);
@@ -130,12 +123,30 @@ int run(const RunOptions& options) {
   std::optional<ProgressBar> progress;
   progress.emplace(count_frames(request.seconds, scene.settings.frame_rate), !options.scene->quiet);
   hooks.progress = [&](long done, long) { progress->show(done); };
+  std::optional<ErrorLimit> limit;
+  if (options.fail_above) {
+    limit.emplace(*options.fail_above);
+    hooks.frame = [&, frame = 0l, write = hooks.frame]() mutable {
+      if (frame > 0) limit->check(lab, "frame " + std::to_string(frame));
+      ++frame;
+      return write ? write() : true;
+    };
+  }
+  catch_interrupts(lab);
   const RunResults results = run_frames(lab, request, hooks);
   progress.reset();
 
   finish(options, scene, output, results.totals, lab.accuracy());
   if (!options.scene->quiet)
     for (const std::string& warning : results.warnings) std::cerr << "warning: " << warning << "\n";
+  if (results.totals.interrupted) {
+    std::cerr << "Interrupted: the results end at t = " << number_text(scene.state.time) << " s.\n";
+    return exit_interrupted();
+  }
+  if (limit && !limit->message().empty()) {
+    std::cerr << limit->message() << "\n";
+    if (!results.totals.diverged) return exit_code::check_failed;
+  }
   if (!results.totals.diverged) return results.totals.frames_beyond_tolerance.value_or(0) > 0 ? exit_code::diverged : exit_code::success;
   std::cerr << explain_divergence(lab, *options.scene, options.seconds, results.before_end.get()) << "\n";
   return exit_code::diverged;
@@ -154,6 +165,7 @@ std::function<int()> declare_run(CLI::App& app) {
   add_output_options(app, options->output, Summary::WithErrorOfFrame);
   app.add_option("--pc2", options->output.files.pc2, "Write the positions of all points in every frame as a point cache")
       ->type_name("FILE");
+  add_fail_above_option(app, options->fail_above);
   add_threads_option(app, options->threads);
   app.add_option("--precision", options->precision,
                  "double, the default, or single for twice the speed: velocity_verlet and symplectic_euler, for grids of springs without "
@@ -165,6 +177,7 @@ std::function<int()> declare_run(CLI::App& app) {
                  "Let LAMMPS compute the frames: a command such as \"mpirun -np 8 lmp\", whose words are separated by blanks")
       ->type_name("COMMAND")
       ->excludes(app.get_option("--threads"))
+      ->excludes(app.get_option("--fail-above"))
       ->excludes(app.get_option("--precision"));
   return [options] { return run(*options); };
 }

@@ -62,7 +62,7 @@ int sweep(const SweepOptions& options) {
   report(results, options);
   if (!was_interrupted()) return exit_code::success;
   std::cerr << "Interrupted. Results so far are saved; the same command resumes from them.\n";
-  return exit_interrupted;
+  return exit_interrupted();
 }
 
 int merge_parts(const SweepOptions& options) {

@@ -1,9 +1,10 @@
-// Prints the man page or the bash completion, or updates the generated tables of pages: make_manual man|bash|docs FILE...
+// Prints the man page or the completion for a shell, or updates the generated tables of pages: make_manual man|bash|zsh|fish|docs FILE...
 #include <fstream>
 #include <iostream>
 #include <sstream>
 #include <string_view>
 
+#include "cli/manual/completion.h"
 #include "cli/manual/manual.h"
 #include "formats/doc_tables.h"
 
@@ -25,10 +26,9 @@ int main(int count, char** arguments) {
       if (!update_tables(arguments[i])) return 5;
     return 0;
   }
-  if (count != 2 || (what != "man" && what != "bash")) {
-    std::cerr << "usage: make_manual man|bash|docs FILE...\n";
-    return 2;
-  }
-  std::cout << (what == "man" ? hooke::manual_page() : hooke::bash_completion()) << std::flush;
-  return std::cout ? 0 : 5;
+  for (const auto& [name, text] : {std::pair{"man", &hooke::manual_page}, std::pair{"bash", &hooke::bash_completion},
+                                   std::pair{"zsh", &hooke::zsh_completion}, std::pair{"fish", &hooke::fish_completion}})
+    if (count == 2 && what == name) return std::cout << text() << std::flush ? 0 : 5;
+  std::cerr << "usage: make_manual man|bash|zsh|fish|docs FILE...\n";
+  return 2;
 }

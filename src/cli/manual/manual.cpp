@@ -85,22 +85,6 @@ void write_parameters(std::ostream& page) {
   }
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
-  return line;
-}
-
-// The names of the options of an app.
-std::string names_of_options(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return joined(names);
-}
-
 // ---- tables of the documentation
 
 // Text in a cell of a Markdown table.
@@ -195,56 +179,10 @@ std::string manual_page() {
                                           {"2", "Wrong usage."},
                                           {"3", "The input was refused: one line names file, field, value and limit."},
                                           {"4", "The simulation diverged, or the tolerance was not met."},
-                                          {"5", "A file could not be read or written."}})
+                                          {"5", "A file could not be read or written."},
+                                          {"130, 143", "Ctrl+C or SIGTERM: what was computed until then is written."}})
     entry(page, code, description);
   return page.str();
-}
-
-std::string bash_completion() {
-  CLI::App app;
-  const DeclaredCommands commands = declare_command_line(app);
-  std::vector<std::string> names, methods, settings, scenes;
-  for (const auto& [command, work] : commands) names.push_back(command->get_name());
-  methods.emplace_back(automatic_method().id);
-  for (const Integrator& integrator : integrators()) methods.emplace_back(integrator.id);
-  for (const Parameter& parameter : parameters()) settings.push_back(std::string(parameter.name) + "=");
-  for (const ShippedScene& scene : shipped_scenes()) scenes.push_back(scene.id);
-
-  std::ostringstream script;
-  script << "# bash completion of hooke and hooke-headless\n"
-            "_hooke() {\n"
-            "  local cur prev words cword\n"
-            "  _init_completion -n = || return\n"
-            "  local scenes='"
-         << joined(scenes)
-         << "'\n"
-            "  case $prev in\n"
-            "    --integrator|--methods) COMPREPLY=($(compgen -W '"
-         << joined(methods)
-         << "' -- \"$cur\")); return ;;\n"
-            "    --set|--vary) COMPREPLY=($(compgen -W '"
-         << joined(settings)
-         << "' -- \"$cur\")); compopt -o nospace; return ;;\n"
-            "    --json|--csv|--pc2|--out|--markdown|--report|--merge) _filedir; return ;;\n"
-            "  esac\n"
-            "  local options\n"
-            "  case ${words[1]} in\n";
-  for (const auto& [command, work] : commands)
-    script << "    " << command->get_name() << ") options='" << names_of_options(*command) << "' ;;\n";
-  script << "    *) options='" << names_of_options(app)
-         << " --from-desktop --reset-settings' ;;\n"
-            "  esac\n"
-            "  case $cur in\n"
-            "    -*) COMPREPLY=($(compgen -W \"$options\" -- \"$cur\")); return ;;\n"
-            "  esac\n"
-            "  _filedir\n"
-            "  COMPREPLY+=($(compgen -W \"$scenes\" -- \"$cur\"))\n"
-            "  [ \"$cword\" -gt 1 ] || COMPREPLY+=($(compgen -W '"
-         << joined(names)
-         << "' -- \"$cur\"))\n"
-            "}\n"
-            "complete -F _hooke hooke hooke-headless\n";
-  return script.str();
 }
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// The man page and the bash completion, generated from the tables that the programs use.
+// The man page, and tables of the documentation, generated from the tables that the programs use.
 #pragma once
 
 #include <string>
@@ -12,8 +12,5 @@ std::string manual_page();
 // The page of the documentation with its tables of keys, options and parameters up to date, between the lines "<!-- table NAME -->" and
 // "<!-- end -->", where NAME is keys, set, or the name of a command.
 std::string with_manual_tables(std::string_view page);
-
-// For bash-completion: commands, options, and the ids of scenes, methods and parameters.
-std::string bash_completion();
 
 }  // namespace hooke

@@ -71,18 +71,22 @@ void RenderTarget::show() const {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-Image RenderTarget::read() const {
-  const int width = picture_.width, height = picture_.height;
-  Image image{width, height, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * height)};
+Image RenderTarget::read(bool with_opacity) const {
+  const int width = picture_.width, height = picture_.height, channels = with_opacity ? 4 : 3;
+  Image image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(channels) * width * height), channels};
   if (image.pixels.empty()) return image;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.frame);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
+  glReadPixels(0, 0, width, height, with_opacity ? GL_RGBA : GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
 
   // Rows in OpenGL start at the bottom.
-  const std::size_t row = 3 * static_cast<std::size_t>(width);
+  const std::size_t row = static_cast<std::size_t>(channels) * width;
   for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom)
     std::swap_ranges(&image.pixels[top * row], &image.pixels[top * row] + row, &image.pixels[bottom * row]);
+  // blended with a transparent background, colors are multiplied by their opacity
+  for (std::size_t i = 0; with_opacity && i < image.pixels.size(); i += 4)
+    for (std::size_t c = i; c < i + 3 && image.pixels[i + 3] > 0; ++c)
+      image.pixels[c] = static_cast<std::uint8_t>(std::min(255, image.pixels[c] * 255 / image.pixels[i + 3]));
   return image;
 }
 

@@ -17,7 +17,7 @@ class RenderTarget {
   // Resolves the samples of this part to colors and depths of the picture, and binds the picture.
   void resolve(const PixelBox& part) const;
   void show() const;
-  Image read() const;
+  Image read(bool with_opacity) const;
 
  private:
   // A framebuffer with color and depth.

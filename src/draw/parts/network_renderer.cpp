@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "draw/parts/spring_shapes.h"
+
 namespace hooke {
 namespace {
 
@@ -78,7 +80,9 @@ void NetworkRenderer::measure_springs(const DrawContext& context) {
   double sum = 0.0;
   int counted = 0;
   for (std::size_t s = 0; s < springs.size(); ++s) {
-    const double length = glm::distance(position[ends_[s][0]], position[ends_[s][1]]), rest = springs[s].rest_length;
+    const double length = glm::distance(position[ends_[s][0]], position[ends_[s][1]]),
+                 rest = springs.have_laws() ? context.snapshot.system->rest_length_of(springs[s], context.snapshot.state.time)
+                                            : springs[s].rest_length;
     strain_[s] = static_cast<float>(rest > 0.0 ? length / rest - 1.0 : length);
     if (!std::isfinite(length)) continue;
     sum += length;
@@ -115,6 +119,7 @@ void NetworkRenderer::add_springs(const DrawContext& context, Subset subset, Str
 
   const System& system = *context.snapshot.system;
   const bool all_on = std::ranges::find(system.family_on, false) == system.family_on.end();
+  const bool has_curves = system.springs().have_laws() || context.options.coils;
   if (subset == Subset::All) strokes.reserve(strain_.size());
   for (const std::size_t s : far_to_near(context)) {
     if (!all_on && !system.is_on(system.springs()[s])) continue;
@@ -125,7 +130,12 @@ void NetworkRenderer::add_springs(const DrawContext& context, Subset subset, Str
       const float step = 0.5f * strain_steps + strain_[s] * steps;
       color = colors[step >= 0.0f ? static_cast<int>(std::min(step, float(strain_steps))) : 0];
     }
-    strokes.add(context.projection, clip_[a], projected_[a], clip_[b], projected_[b], color, width);
+    float own_width = width;
+    if (has_curves) {
+      const std::vector<Vec3>& position = context.snapshot.state.position;
+      if (add_spring_curve(context, system.springs()[s], position[a], position[b], color, own_width, depth_offset(), strokes)) continue;
+    }
+    strokes.add(context.projection, clip_[a], projected_[a], clip_[b], projected_[b], color, own_width);
   }
 }
 

@@ -69,6 +69,19 @@ void Strokes::add_dashed(const Projection& projection, const Vec3& a, const Vec3
   }
 }
 
+void Strokes::add_arrow(const Projection& projection, const Vec3& a, const Vec3& b, Rgba rgba, float width, float head) {
+  glm::dvec4 start = projection.clip(a), end = projection.clip(b);
+  if ((projection.project(start).outside | projection.project(end).outside) & NotFinite) return;
+  if (!cut_to_picture(start, end)) return;
+  const ProjectedPoint from = projection.project(start), to = projection.project(end);
+  const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+  if (length < 1.5f * width) return;
+  add_projected(from.x, from.y, from.depth, to.x, to.y, to.depth, rgba, width);
+  const float back = std::min(head, 0.6f * length) / length, side = 0.45f * back;
+  for (const float turn : {side, -side})
+    add_projected(to.x, to.y, to.depth, to.x - back * dx - turn * dy, to.y - back * dy + turn * dx, to.depth, rgba, width);
+}
+
 void Strokes::add_projected(float ax, float ay, float a_depth, float bx, float by, float b_depth, Rgba rgba, float width) {
   const float dx = bx - ax, dy = by - ay;
   const float length = std::sqrt(dx * dx + dy * dy);

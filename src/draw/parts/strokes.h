@@ -25,6 +25,9 @@ class Strokes {
   // A dashed line; lengths of dashes and gaps in [px].
   void add_dashed(const Projection& projection, const Vec3& a, const Vec3& b, Rgba rgba, float width, float dash, float gap);
 
+  // A line with a head of two lines of this length [px] at its end, or of a part of the line where that is shorter.
+  void add_arrow(const Projection& projection, const Vec3& a, const Vec3& b, Rgba rgba, float width, float head);
+
   void draw(const Shader& shader, int width, int height);
 
  private:

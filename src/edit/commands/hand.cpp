@@ -59,6 +59,7 @@ Inverse GrabPoint::apply(Scene& scene, Effect& effect) const {
 Inverse GrabCollider::apply(Scene& scene, Effect& effect) const {
   const Index c = grab.collider;
   if (c < 0 || c >= static_cast<Index>(scene.system.colliders.size()) || !is_finite(grab.target)) return {};
+  if (scene.system.colliders[static_cast<std::size_t>(c)].one_way) return {};
   release_collider(scene, effect);
   scene.state.hand.collider = {c, scene.system.colliders[static_cast<std::size_t>(c)].shape, grab.target};
   return {ReleaseHand{}, SetColliders{scene.system.colliders}};

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "base/finite.h"
 #include "base/text_lines.h"
@@ -51,6 +52,26 @@ Inverse Move::apply(Scene& scene, Effect& effect) const {
     scene.state.velocity[i] = in_plane(scene.system, item.velocity);
   }
   std::reverse(inverse.items.begin(), inverse.items.end());
+  effect.motion = true;
+  return {inverse};
+}
+
+std::string SetVelocity::describe() const {
+  return "velocity of " + pluralize(values.size(), "point", "points") +
+         (values.size() == 1 ? " to " + value_text(glm::length(values[0].second), "m/s") : "");
+}
+
+bool SetVelocity::is_undone_with(const SetVelocity& earlier) const { return same_ids(values, earlier.values); }
+
+Inverse SetVelocity::apply(Scene& scene, Effect& effect) const {
+  SetVelocity inverse;
+  for (const auto& [point, velocity] : values) {
+    const Index i = scene.system.index_of(point);
+    if (i == no_index || scene.system.points()[i].nailed || !is_finite(velocity)) continue;
+    inverse.values.emplace_back(point, scene.state.velocity[i]);
+    scene.state.velocity[i] = in_plane(scene.system, velocity);
+  }
+  std::reverse(inverse.values.begin(), inverse.values.end());
   effect.motion = true;
   return {inverse};
 }
@@ -129,6 +150,26 @@ Inverse SetSpringProperty::apply(Scene& scene, Effect& effect) const {
     changed.*member = value;
     if (!is_valid(changed)) continue;
     inverse.values.emplace_back(spring, scene.system.springs()[s].*member);
+    *scene.system.spring(s) = changed;
+  }
+  std::reverse(inverse.values.begin(), inverse.values.end());
+  effect.values = true;
+  return {inverse};
+}
+
+std::string SetSpringLaw::describe() const { return "law of " + pluralize(values.size(), "spring", "springs"); }
+
+bool SetSpringLaw::is_undone_with(const SetSpringLaw& earlier) const { return same_ids(values, earlier.values); }
+
+Inverse SetSpringLaw::apply(Scene& scene, Effect& effect) const {
+  SetSpringLaw inverse;
+  for (const auto& [spring, law] : values) {
+    const Index s = scene.system.index_of(spring);
+    if (s == no_index) continue;
+    Spring changed = scene.system.springs()[s];
+    changed.law = law;
+    if (!is_valid(changed)) continue;
+    inverse.values.emplace_back(spring, scene.system.springs()[s].law);
     *scene.system.spring(s) = changed;
   }
   std::reverse(inverse.values.begin(), inverse.values.end());

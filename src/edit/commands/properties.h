@@ -42,6 +42,17 @@ struct Move {
   bool is_undone_with(const Move& earlier) const;
 };
 
+// Sets velocities of free points.
+struct SetVelocity {
+  static constexpr std::string_view name = "set_velocity";
+  static constexpr auto fields = names("values");
+  std::vector<std::pair<PointId, Vec3>> values;  // [m/s]
+
+  std::string describe() const;
+  Inverse apply(Scene& scene, Effect& effect) const;
+  bool is_undone_with(const SetVelocity& earlier) const;
+};
+
 // Sets the color of points, or removes it.
 struct SetPointColor {
   static constexpr std::string_view name = "set_point_color";
@@ -75,6 +86,17 @@ struct SetSpringProperty {
   std::string describe() const;
   Inverse apply(Scene& scene, Effect& effect) const;
   bool is_undone_with(const SetSpringProperty& earlier) const;
+};
+
+// Sets the laws of springs.
+struct SetSpringLaw {
+  static constexpr std::string_view name = "set_spring_law";
+  static constexpr auto fields = names("values");
+  std::vector<std::pair<SpringId, std::optional<SpringLaw>>> values;
+
+  std::string describe() const;
+  Inverse apply(Scene& scene, Effect& effect) const;
+  bool is_undone_with(const SetSpringLaw& earlier) const;
 };
 
 }  // namespace hooke

@@ -150,6 +150,16 @@ Inverse SetForces::apply(Scene& scene, Effect& effect) const {
   return {inverse};
 }
 
+Inverse SetText::apply(Scene& scene, Effect&) const {
+  const SetText inverse{scene.name, scene.description, scene.notes};
+  scene.name = title;
+  scene.description = description;
+  scene.notes = notes;
+  return {inverse};
+}
+
+Inverse SetPlots::apply(Scene& scene, Effect&) const { return {SetPlots{std::exchange(scene.view.plots, plots)}}; }
+
 Inverse SetTexture::apply(Scene& scene, Effect&) const {
   if (!is_valid(*this)) return {};
   const SetTexture inverse{scene.view.texture, scene.view.texture_size, {.picture = nullptr, .restored = scene.cloth_texture}};

@@ -75,6 +75,27 @@ struct SetForces {
   bool is_undone_with(const SetForces&) const { return true; }
 };
 
+// Sets the texts of the scene.
+struct SetText {
+  static constexpr std::string_view name = "set_text";
+  static constexpr auto fields = names("title", "description", "notes");
+  std::string title, description, notes;
+
+  std::string describe() const { return "change the title or the notes"; }
+  Inverse apply(Scene& scene, Effect& effect) const;
+  bool is_undone_with(const SetText&) const { return true; }
+};
+
+// Sets what is plotted, by the names of quantities.
+struct SetPlots {
+  static constexpr std::string_view name = "set_plots";
+  static constexpr auto fields = names("plots");
+  std::vector<std::string> plots;
+
+  std::string describe() const { return "choose what to plot"; }
+  Inverse apply(Scene& scene, Effect& effect) const;
+};
+
 // The image of a texture (texture.h). An inverse restores the previous image and coordinates as a whole instead, because setting a texture
 // assigns texture coordinates to points that have none.
 struct TextureImage {

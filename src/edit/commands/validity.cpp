@@ -9,6 +9,7 @@
 #include "base/overloaded.h"
 #include "formats/texture.h"
 #include "scene/parameters.h"
+#include "scene/spring_laws.h"
 
 namespace hooke {
 namespace {
@@ -46,7 +47,8 @@ bool is_valid(const Point& point) { return is_within(positive, point.mass) && is
 bool is_valid(const Spring& spring) {
   const bool breaks = spring.break_strain != never_breaks;
   return spring.first != spring.second && is_within(not_negative, spring.stiffness) && is_within(not_negative, spring.damping) &&
-         is_within(not_negative, spring.rest_length) && (!breaks || is_within(positive, spring.break_strain));
+         is_within(not_negative, spring.rest_length) && error_of(spring).limit.empty() &&
+         (!breaks || is_within(positive, spring.break_strain));
 }
 
 bool is_valid(const Face& face) {

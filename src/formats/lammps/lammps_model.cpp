@@ -38,6 +38,7 @@ std::vector<std::string> unsupported_by_lammps(const Scene& scene) {
   std::vector<std::string> list;
   const auto has_dashpot = [&](const Spring& spring) { return system.damping_of(spring) > 0.0; };
   if (std::ranges::any_of(system.springs(), has_dashpot)) list.emplace_back("dashpots");
+  if (system.springs().have_laws()) list.emplace_back("springs with a law, muscles or winches");
   if (system.any_spring_breaks()) list.emplace_back("springs that break");
   if (system.strain_limit > 0.0 && system.spring_count() > 0) list.emplace_back("the strain limit");
   if (system.grab || scene.state.hand.collider) list.emplace_back("the hand");

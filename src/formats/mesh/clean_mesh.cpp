@@ -161,14 +161,13 @@ void MeshCleaner::add_cell(std::span<const Index> corners) {
     clean_mesh_.cells.push_back(cell);
 }
 
-// Chooses the diagonal for which both halves have the same orientation, or the shorter one if both do.
+// The diagonal is from the first corner to the third, unless only for the other one both halves have the same orientation.
 void MeshCleaner::choose_quad_diagonal(Cell& cell) const {
   if (cell.size() != 4) return;
   const auto& [a, b, c, d] = cell.corners;
   const bool along_ac = glm::dot(normal_of(a, b, c), normal_of(a, c, d)) > 0.0;
   const bool along_bd = glm::dot(normal_of(a, b, d), normal_of(b, c, d)) > 0.0;
-  const bool bd_is_shorter = glm::distance(position(b), position(d)) < glm::distance(position(a), position(c));
-  if (along_bd && (!along_ac || bd_is_shorter)) std::rotate(cell.corners.begin(), cell.corners.begin() + 1, cell.corners.end());
+  if (along_bd && !along_ac) std::rotate(cell.corners.begin(), cell.corners.begin() + 1, cell.corners.end());
 }
 
 double MeshCleaner::longest_side_of(const Cell& cell) const {

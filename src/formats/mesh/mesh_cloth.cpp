@@ -152,8 +152,10 @@ void ClothMaker::make_faces() {
   const auto id = [&](Index i) { return scene_.system.points()[static_cast<std::size_t>(i)].id; };
   for (const Cell& cell : mesh_.cells) {
     const auto& [a, b, c, d] = cell.corners;
-    scene_.system.faces.push_back({{id(a), id(b), id(c)}});
-    if (cell.size() == 4) scene_.system.faces.push_back({{id(a), id(c), id(d)}});
+    if (cell.size() == 4)
+      scene_.system.faces.push_quad({id(a), id(b), id(c), id(d)});
+    else
+      scene_.system.faces.push_triangle({id(a), id(b), id(c)});
   }
   set_rest_angles(scene_.system, scene_.state.position);
 }

@@ -87,7 +87,17 @@ std::string format_obj(const Scene& scene) {
   std::string text = "# written by Hooke; meters\no " + printable(scene.name) + "\n";
   for (const Vec3& x : scene.state.position) text += "v " + format_exact(x.x) + " " + format_exact(x.y) + " " + format_exact(x.z) + "\n";
   const auto number = [&](PointId id) { return " " + std::to_string(scene.system.index_of(id) + 1); };
-  for (const Face& face : scene.system.faces) text += "f" + number(face.points[0]) + number(face.points[1]) + number(face.points[2]) + "\n";
+  const FaceList& faces = scene.system.faces;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (faces.is_quad(f)) {
+      // the diagonal of what is read is from the first corner to the third
+      const auto [a, b, c, d] = faces.quad(f++);
+      text += "f" + number(d) + number(a) + number(b) + number(c) + "\n";
+      continue;
+    }
+    const auto [a, b, c] = faces[f].points;
+    text += "f" + number(a) + number(b) + number(c) + "\n";
+  }
   const LooseParts loose = loose_parts_of(scene.system);
   for (const auto& [i, j] : loose.lines) text += "l " + std::to_string(i + 1) + " " + std::to_string(j + 1) + "\n";
   for (const Index i : loose.points) text += "p " + std::to_string(i + 1) + "\n";

@@ -46,6 +46,8 @@ bool read_surface(const JsonField& field, SceneFields& fields, Collider& collide
     collider.friction = field.number(not_negative);
   else if (field.is("solid"))
     collider.solid = field.boolean();
+  else if (field.is("one_way"))
+    collider.one_way = field.boolean();
   else
     return false;
   return true;

@@ -8,8 +8,10 @@
 #include "base/file_limits.h"
 #include "base/finite.h"
 #include "formats/scene_json/shape_fields.h"
+#include "formats/scene_json/spring_law_fields.h"
 #include "formats/texture.h"
 #include "scene/spring_family.h"
+#include "scene/spring_laws.h"
 
 namespace hooke {
 namespace {
@@ -97,7 +99,7 @@ void NetworkReader::read_spring(const JsonField& field) {
       spring.rest_length = member.number(not_negative);
     else if (member.is("break_strain"))
       spring.break_strain = member.is_null() ? never_breaks : member.number(positive);
-    else
+    else if (!read_law_field(member, spring))
       fields_.preserve_unknown(member, unknown_.unknown_of_springs[spring.id]);
   }
   if (!has_points) field.refuse_missing("points", "must be two point numbers");
@@ -192,16 +194,19 @@ void NetworkReader::check_point_numbers() const {
       if (!exists(id)) refuse("faces[" + std::to_string(f) + "]", missing(id));
 }
 
+// Those that are not given are as drawn. Laws may depend on them.
 void NetworkReader::set_rest_lengths() {
   for (std::size_t s = 0; s < network_.springs.size(); ++s) {
     Spring spring = network_.springs[s];
-    if (!std::isnan(spring.rest_length)) continue;
-    const auto i = static_cast<std::uint32_t>(spring.first), j = static_cast<std::uint32_t>(spring.second);
-    spring.rest_length = glm::length(network_.position[j] - network_.position[i]);
-    if (!std::isfinite(spring.rest_length))
-      refuse("springs[" + std::to_string(s) + "].rest_length",
-             format_exact(spring.rest_length) + " as drawn: must be a number below 1.8e308");
-    network_.springs.set_properties(s, spring);
+    const auto field = [&] { return "springs[" + std::to_string(s) + "]."; };
+    if (std::isnan(spring.rest_length)) {
+      const auto i = static_cast<std::uint32_t>(spring.first), j = static_cast<std::uint32_t>(spring.second);
+      spring.rest_length = glm::length(network_.position[j] - network_.position[i]);
+      if (!std::isfinite(spring.rest_length))
+        refuse(field() + "rest_length", format_exact(spring.rest_length) + " as drawn: must be a number below 1.8e308");
+      network_.springs.set_properties(s, spring);
+    }
+    if (const LawError error = error_of(spring); !error.limit.empty()) refuse(field() + std::string(error.field), error.limit);
   }
 }
 

@@ -12,10 +12,12 @@
 #include "formats/scene_json/network_reader.h"
 #include "formats/scene_json/scene_sections.h"
 #include "formats/texture.h"
+#include "scene/parameters.h"
 #include "scene/step_advice.h"
 #include "scene/warnings/bending_warning.h"
 #include "scene/warnings/overlap_warning.h"
 #include "scene/warnings/pressure_warning.h"
+#include "scene/warnings/small_collider_warning.h"
 #include "scene/warnings/strain_limit_warning.h"
 #include "sim/plan/hinges.h"
 
@@ -26,6 +28,12 @@ class SceneReader {
  public:
   SceneReader(const std::string& text, const std::string& name, const Progress& progress) : text_(text), name_(name), progress_(progress) {}
   LoadedScene read();
+  // Reads an addition to `scene`.
+  void start_from(const Scene& scene) {
+    scene_.system.dimensions = scene.system.dimensions;
+    copy_surroundings(scene, scene_);
+    is_addition_ = true;
+  }
 
  private:
   // Points, springs, faces, generators and colliders are read item by item, because a file of 256 MiB would otherwise become gigabytes of
@@ -59,7 +67,8 @@ class SceneReader {
   SceneFields fields_;
   Scene scene_;
   NetworkReader network_{name_, fields_, scene_.preserved_json};
-  bool has_version_ = false;
+  bool has_version_ = false, is_addition_ = false;
+  double muscle_offset_ = 0.0;  // [s]
 };
 
 const std::array<SceneReader::List, 7> SceneReader::lists{
@@ -89,6 +98,7 @@ LoadedScene SceneReader::read() {
   Network network = network_.take(scene_.system.dimensions);
   check_hand(network.points.size());
 
+  scene_.system.muscles.offset = muscle_offset_;
   scene_.system.set_points(std::move(network.points));
   scene_.system.set_springs(std::move(network.springs));
   scene_.system.faces = std::move(network.faces);
@@ -109,7 +119,7 @@ LoadedScene SceneReader::read() {
   if (const auto warning = unused_setting_warning(scene_.settings)) fields_.warn(*warning);
   for (const std::string& warning : crossing_warnings(scene_.system, scene_.state)) fields_.warn(warning);
   for (const auto& warning : {thickness_warning(scene_.system), bending_warning(scene_.system), pressure_warning(scene_.system),
-                              strain_limit_warning(scene_.system, scene_.state)})
+                              strain_limit_warning(scene_.system, scene_.state), small_collider_warning(scene_.system, scene_.state)})
     if (warning) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
 }
@@ -121,6 +131,10 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
     return;
   }
 
+  if (is_addition_)
+    for (const char* other : {"name", "description", "notes", "muscle_offset", "dimensions", "time", "hand", "view", "defaults", "controls",
+                              "check", "gallery"})
+      if (key == other) refuse(other, "cannot be added to a scene");
   const JsonField field(name_, key, parser_.parse(text));
   if (field.is("hooke")) {
     if (field.number() > newest_scene_version)
@@ -132,10 +146,14 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
     scene_.name = field.text();
   else if (field.is("description"))
     scene_.description = field.text();
+  else if (field.is("notes"))
+    scene_.notes = field.text();
   else if (field.is("dimensions"))
     scene_.system.dimensions = static_cast<int>(field.integer(2, 3));
   else if (field.is("time"))
     scene_.state.time = field.number();
+  else if (field.is("muscle_offset"))
+    muscle_offset_ = field.number();
   else if (field.is("gravity"))
     scene_.system.gravity = fields_.position(field);
   else if (field.is("wind"))
@@ -201,6 +219,18 @@ LoadedScene parse_scene(std::string_view text, const std::string& name, const Pr
   return SceneReader(std::string(text), printable(name), progress).read();
 }
 LoadedScene parse_scene(std::string_view text, const std::string& name) { return parse_scene(text, name, {}); }
+
+Scene parse_members(std::string_view members, const std::string& name, const Scene& scene) {
+  const std::string text = "{\"hooke\": 1, " + std::string(members) + "}";
+  const std::string shown = printable(name);
+  SceneReader reader(text, shown, {});
+  reader.start_from(scene);
+  LoadedScene loaded = reader.read();
+  // here an unknown field is a mistake; in a file it may be of a later version
+  for (const std::string& warning : loaded.warnings)
+    if (const std::size_t end = warning.find(", kept"); end != std::string::npos) throw InputError(warning.substr(0, end));
+  return std::move(loaded.scene);
+}
 
 LoadedScene load_scene(const std::filesystem::path& file, const Progress& progress) { return load_scene_from_copy(file, file, progress); }
 

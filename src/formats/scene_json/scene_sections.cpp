@@ -43,6 +43,7 @@ bool* view_flag_of(const JsonField& field, ViewSettings& view) {
   if (field.is("points")) return &view.points;
   if (field.is("strain_colors")) return &view.strain_colors;
   if (field.is("shadows")) return &view.shadows;
+  if (field.is("coils")) return &view.coils;
   return nullptr;
 }
 
@@ -206,6 +207,8 @@ void read_view(const JsonField& field, SceneFields& fields, Scene& scene) {
     else if (member.is("texture")) {
       scene.view.texture = member.text();
       if (const std::string limit = texture_limit(scene.view.texture); !limit.empty()) member.refuse(limit);
+    } else if (member.is("plots")) {
+      for (const JsonField name : member.items(0, 100)) scene.view.plots.emplace_back(name.text());
     } else if (member.is("texture_size"))
       scene.view.texture_size = member.number(positive);
     else

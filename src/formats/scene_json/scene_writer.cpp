@@ -11,6 +11,7 @@
 #include "base/same_bits.h"
 #include "formats/scene_file.h"
 #include "formats/scene_json/listed_part.h"
+#include "formats/scene_json/spring_law_fields.h"
 #include "scene/parameters.h"
 #include "scene/spring_family.h"
 #include "sim/methods/integrator.h"
@@ -72,15 +73,17 @@ std::string SceneWriter::write() {
   out_.integer("hooke", newest_scene_version);
   out_.text("name", scene_.name);
   if (!scene_.description.empty()) out_.text("description", scene_.description);
+  if (!scene_.notes.empty()) out_.text("notes", scene_.notes);
   if (!scene_.preserved_json.gallery.empty()) {
     out_.key("gallery");
     out_.raw(scene_.preserved_json.gallery);
   }
   out_.integer("dimensions", system_.dimensions);
   if (!is_positive_zero(state_.time)) out_.number("time", state_.time);
-  out_.vector("gravity", system_.gravity);
+  out_.vector("gravity", system_.gravity + Vec3(0.0));  // no -0.0
   if (!is_positive_zero(system_.wind)) out_.vector("wind", system_.wind);
   write_parameters("");
+  if (!is_positive_zero(system_.muscles.offset)) out_.number("muscle_offset", system_.muscles.offset);
 
   write_list("points", static_cast<std::size_t>(listed.points), [&](std::size_t i) { write_point(static_cast<Index>(i)); });
   write_list("springs", static_cast<std::size_t>(listed.springs), [&](std::size_t s) { write_spring(static_cast<Index>(s)); });
@@ -186,7 +189,7 @@ void SceneWriter::write_point(Index i) {
 }
 
 void SceneWriter::write_spring(Index s) {
-  const Spring& spring = system_.springs()[s];
+  const Spring spring = system_.springs()[s];
   out_.begin_object(Layout::Line);
   out_.key("points");
   out_.begin_list(Layout::Line);
@@ -198,6 +201,7 @@ void SceneWriter::write_spring(Index s) {
   if (!is_positive_zero(spring.damping)) out_.number("damping", spring.damping);
   out_.number("rest_length", spring.rest_length);
   if (spring.break_strain != never_breaks) out_.number("break_strain", spring.break_strain);
+  if (spring.law) write_law(*spring.law, out_);
   if (const double sheet_weight = sheet_weight_of(scene_.sheet.get(), spring.id); sheet_weight > 0.0) out_.number("share", sheet_weight);
   const auto unknown = scene_.preserved_json.unknown_of_springs.find(spring.id);
   if (unknown != scene_.preserved_json.unknown_of_springs.end()) out_.members(unknown->second);
@@ -241,6 +245,7 @@ void SceneWriter::write_collider(std::size_t c) {
   out_.number("restitution", collider.restitution);
   out_.number("friction", collider.friction);
   if (!collider.solid) out_.boolean("solid", false);
+  if (collider.one_way) out_.boolean("one_way", true);
   write_path(collider.path);
   write_unknown_inside("colliders[" + std::to_string(c) + "]");
   out_.end();
@@ -344,8 +349,15 @@ void SceneWriter::write_view() {
                                       {"strain_colors", view.strain_colors},
                                       {"shadows", view.shadows}})
     if (!is_shown) out_.boolean(key, false);
+  if (view.coils) out_.boolean("coils", true);
   if (!view.texture.empty()) out_.text("texture", view.texture);
   if (view.texture_size) out_.number("texture_size", *view.texture_size);
+  if (!view.plots.empty()) {
+    out_.key("plots");
+    out_.begin_list(Layout::Line);
+    for (const std::string& name : view.plots) out_.text(name);
+    out_.end();
+  }
   write_unknown_inside("view");
   out_.end();
 }

@@ -195,7 +195,7 @@ class Exporter {
   void export_walls() {
     double window[] = {xsp_window_height, 0.0, xsp_window_width, 0.0};
     double friction = 0.0, restitution = walls_.empty() ? 1.0 : walls_[0].collider->restitution;
-    bool moved = false, restitutions_differ = false;
+    bool moved = false, restitutions_differ = false, slides = false;
     for (const Wall& wall : walls_) {
       const auto side = static_cast<std::size_t>(wall.side);
       const bool is_vertical = wall.side == XspSide::Left || wall.side == XspSide::Right;
@@ -204,6 +204,7 @@ class Exporter {
       moved = moved || std::abs(place - window[side]) > 0.01;
       restitutions_differ = restitutions_differ || wall.collider->restitution != restitution;
       friction = std::max(friction, wall.collider->friction);
+      slides = slides || (!wall.collider->one_way && wall.collider->restitution < 1.0);
     }
     if (const PairContact& contact = system_.contact; contact.points) {
       document_.forces[4] = {.active = true};
@@ -216,6 +217,7 @@ class Exporter {
     if (moved) report_loss("the positions of the walls: they are the sides of the window");
     if (restitutions_differ) report_loss("different restitutions of walls: all have that of the first");
     if (friction > 0.0) report_loss("the friction of walls");
+    if (slides) report_loss("slides along walls: impacts multiply the tangential velocity by the restitution");
   }
 
   void export_masses() {
@@ -238,13 +240,16 @@ class Exporter {
 
   void export_springs() {
     int id = 0;
-    for (const Spring& spring : system_.springs())
+    for (const Spring& spring : system_.springs()) {
+      if (spring.law)
+        throw InputError(file_ + ": springs[" + std::to_string(id) + "].law: .xsp cannot represent laws, muscles and winches");
       document_.springs.push_back({.id = ++id,
                                    .first = system_.index_of(spring.first) + 1,
                                    .second = system_.index_of(spring.second) + 1,
                                    .stiffness = spring.stiffness,
                                    .damping = system_.damping_of(spring),
                                    .rest_length = pixels(spring.rest_length)});
+    }
   }
 
   void export_editor_settings() {

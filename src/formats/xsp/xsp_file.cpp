@@ -19,24 +19,6 @@ enum ForceId { Gravity = 0, MassCenter = 1, Center = 2, Wall = 3, Collisions = 4
 // XSpringies replaces a mass of 0.
 double mass_of(const XspMass& mass) { return mass.mass == 0.0 ? 1.0 : std::abs(mass.mass); }
 
-struct Rectangle {
-  double left = 0.0, right = xsp_window_width, bottom = 0.0, top = xsp_window_height;  // [pixels]
-};
-
-// The window, enlarged if free masses are outside it.
-Rectangle window_around(const std::vector<XspMass>& masses) {
-  Rectangle window;
-  for (const XspMass& mass : masses) {
-    if (mass.mass < 0.0) continue;
-    const double margin = 1.0 + xsp_radius(mass_of(mass), false) * xsp_pixels_per_meter;
-    if (mass.x < 0.0) window.left = std::min(window.left, mass.x - margin);
-    if (mass.x > xsp_window_width) window.right = std::max(window.right, mass.x + margin);
-    if (mass.y < 0.0) window.bottom = std::min(window.bottom, mass.y - margin);
-    if (mass.y > xsp_window_height) window.top = std::max(window.top, mass.y + margin);
-  }
-  return window;
-}
-
 // The most common value among the free masses, and the number of free masses with another one.
 struct MostCommon {
   double value;
@@ -151,9 +133,10 @@ class Importer {
   // In XSpringies the pull falls with the square of the distance where a mass is closer than its radius and one pixel.
   void add_center_force(const XspForce& force) {
     const MostCommon radius = most_common(document_.masses, 0.0, [](const XspMass& mass) { return xsp_radius(mass_of(mass), false); });
-    add_force(center_force, {center_.x, center_.y, 0.0, scaled(force), force.p2, radius.value + pixel});
-    warn("the pull to the center is approximate within " + format_rounded(radius.value + pixel) + " m of it" +
-         (radius.others == 0 ? "" : ", the radius of most masses and a pixel"));
+    add_force(center_force, {center_.x, center_.y, 0.0, scaled(force), force.p2, radius.value + pixel, 1.0});
+    if (radius.others > 0)
+      warn("the pull to the center is approximate within " + format_rounded(radius.value + pixel) +
+           " m of it, the radius of most masses and a pixel");
   }
 
   // converts p1 of an acceleration p1 / distance^p2 to meters
@@ -210,21 +193,20 @@ class Importer {
   void import_walls() {
     const auto& walls = document_.walls;
     if (std::none_of(walls.begin(), walls.end(), [](bool is_on) { return is_on; })) return;
-    const Rectangle window = window_around(document_.masses);
     const double restitution = import_elasticity("all walls");
 
     const auto add = [&](XspSide side, double x, double y, const Vec3& normal) {
       if (!walls[static_cast<std::size_t>(side)]) return;
       const Plane plane{Vec3(x, y, 0.0) / xsp_pixels_per_meter, normal};
-      loaded_.scene.system.colliders.push_back({.shape = plane, .restitution = restitution});
+      loaded_.scene.system.colliders.push_back({.shape = plane, .restitution = restitution, .one_way = true});
     };
-    add(XspSide::Top, 0.0, window.top, Vec3(0.0, -1.0, 0.0));
-    add(XspSide::Left, window.left, 0.0, Vec3(1.0, 0.0, 0.0));
-    add(XspSide::Right, window.right, 0.0, Vec3(-1.0, 0.0, 0.0));
-    add(XspSide::Bottom, 0.0, window.bottom, Vec3(0.0, 1.0, 0.0));
+    add(XspSide::Top, 0.0, xsp_window_height, Vec3(0.0, -1.0, 0.0));
+    add(XspSide::Left, 0.0, 0.0, Vec3(1.0, 0.0, 0.0));
+    add(XspSide::Right, xsp_window_width, 0.0, Vec3(-1.0, 0.0, 0.0));
+    add(XspSide::Bottom, 0.0, 0.0, Vec3(0.0, 1.0, 0.0));
 
-    warn("the file does not contain the size of the window: the walls are at x = " + format_rounded(window.left) + " and " +
-         format_rounded(window.right) + ", y = " + format_rounded(window.bottom) + " and " + format_rounded(window.top) + " pixels");
+    warn("the file does not contain the size of the window: the walls are at x = 0 and " + format_rounded(xsp_window_width) +
+         ", y = 0 and " + format_rounded(xsp_window_height) + " pixels");
   }
 
   // The restitution of these, which masses have in XSpringies.
@@ -285,8 +267,10 @@ class Importer {
 
 }  // namespace
 
-// The integer part of 2 ln(4 m + 1) pixels; nails have 4.
-double xsp_radius(double mass, bool is_fixed) { return (is_fixed ? 4.0 : std::floor(2.0 * std::log(4.0 * mass + 1.0))) * pixel; }
+// The integer part of 2 ln(4 m + 1) pixels, from 1 to 64; nails have 4.
+double xsp_radius(double mass, bool is_fixed) {
+  return (is_fixed ? 4.0 : std::clamp(std::floor(2.0 * std::log(4.0 * mass + 1.0)), 1.0, 64.0)) * pixel;
+}
 
 LoadedScene parse_xsp(std::string_view text, const std::string& file) {
   const XspDocument document = parse_xsp_text(text, file);

@@ -18,6 +18,16 @@ enum class AccuracyMode {
   Full,   // and the second runs: about two and a half times the cost of the run
 };
 
+// What has happened in a run since its start.
+struct RunEvents {
+  bool is_unresolved = false;  // springs passed through zero length faster than the steps resolve
+  bool is_aliased = false;     // colliders oscillated faster than the steps resolve
+  bool has_broken = false;     // a spring did
+  bool is_smooth = true;       // without contact, springs that break, a strain limit and a hand
+  double max_kinetic = 0.0;    // [J]
+  double supplied = 0.0;       // [J]
+};
+
 class AccuracyMeter {
  public:
   AccuracyMode mode() const { return mode_; }
@@ -50,18 +60,8 @@ class AccuracyMeter {
   void measure_half_error(const Settings& settings, Accuracy& accuracy) const;
   bool is_damped_by_method() const;
 
-  // What has happened since the start.
-  struct Past {
-    bool is_unresolved = false;  // springs passed through zero length faster than the steps resolve
-    bool is_aliased = false;     // colliders oscillated faster than the steps resolve
-    bool has_broken = false;     // a spring did
-    bool is_smooth = true;       // without contact, springs that break, a strain limit and a hand
-    double max_kinetic = 0.0;    // [J]
-    double supplied = 0.0;       // [J]
-  };
-
   AccuracyMode mode_ = AccuracyMode::Off;
-  Past past_;
+  RunEvents past_;
   bool is_started_ = false;
   bool is_edited_ = false, was_touching_ = false;  // since the last repeated frame; in the last frame
   double size_ = 1.0;                              // [m]

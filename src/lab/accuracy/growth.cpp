@@ -70,7 +70,9 @@ void GrowthMeasurement::evaluate() {
   const double seconds = frame_ * static_cast<double>(n - 1), late = typical(distances_, 3 * n / 4, n);
   const double growth = growth_of(distances_, n);
   const bool is_exponential = growth > max_regular_growth && !has_single_event(distances_);
-  result_ = Growth{.amplification = std::pow(late / distances_.front(), 1.0 / (0.875 * seconds)),
+  // what a single event contributes within less than a second is not repeated in the rest of it
+  const double measured_seconds = is_exponential ? 0.875 * seconds : std::max(1.0, 0.875 * seconds);
+  result_ = Growth{.amplification = std::pow(late / distances_.front(), 1.0 / measured_seconds),
                    .rate = is_exponential ? std::log(growth) / (0.5 * seconds) : 0.0};
 }
 

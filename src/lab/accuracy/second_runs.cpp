@@ -47,7 +47,7 @@ void SecondRuns::note_edit() {
   if (!inputs_.empty()) restart(size_);
 }
 
-void SecondRuns::start(Run& run, const Plan& plan, const State& state) {
+void SecondRuns::start(SecondRun& run, const Plan& plan, const State& state) {
   run.shadow.set_plan(plan);
   run.shadow.start(state);
   run.is_on = true;
@@ -106,9 +106,9 @@ void SecondRuns::add_frame(const Plan& plan, const System& system, const Setting
 void SecondRuns::substep(const System& system) {
   // the one that is behind
   const bool is_refined = waits(refined_) && (!waits(perturbed_) || refined_.next <= perturbed_.next);
-  Run& run = is_refined ? refined_ : perturbed_;
+  SecondRun& run = is_refined ? refined_ : perturbed_;
   if (!run.shadow.is_in_frame()) {
-    const Input& input = input_of(run);
+    const SecondRunInput& input = input_of(run);
     Repetition frame{.settings = input.settings};
     if (is_refined) frame = repetition_of(run.shadow.plan(), system, input.settings);
     run.shadow.limit_cost(input.evaluations);
@@ -119,8 +119,8 @@ void SecondRuns::substep(const System& system) {
   if (!run.shadow.is_in_frame()) finish_frame(system, run);
 }
 
-void SecondRuns::finish_frame(const System& system, Run& run) {
-  const Input& input = input_of(run);
+void SecondRuns::finish_frame(const System& system, SecondRun& run) {
+  const SecondRunInput& input = input_of(run);
   const State& state = run.shadow.state();
   if (&run == &refined_) {
     const Error error{weighted_distance(system, input.end, state.position, repetition_.weight).rms, input.end_time};

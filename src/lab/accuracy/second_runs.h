@@ -12,6 +12,30 @@
 
 namespace hooke {
 
+// A frame of the run, for the second runs.
+struct SecondRunInput {
+  double time = 0.0;  // [s], at the start of the frame
+  Hand hand;
+  Settings settings;
+  std::vector<Vec3> end;  // positions after it
+  double end_time = 0.0;  // [s]
+  long evaluations = 0;   // of the forces
+};
+
+// A run beside the run.
+struct SecondRun {
+  ShadowRun shadow;
+  bool is_on = false;
+  long next = 0;  // number of the frame that it computes or waits for
+};
+
+// Measures the distance to the perturbed run.
+struct GrowthRun {
+  GrowthMeasurement measurement;
+  std::optional<Growth> result;
+  int pause = 0, frames = 0;  // until the next measurement, and of the current one
+};
+
 class SecondRuns {
  public:
   struct Error {
@@ -41,39 +65,18 @@ class SecondRuns {
   bool is_resolving() const { return repetition_.is_resolving; }
 
  private:
-  struct Input {
-    double time = 0.0;  // [s], at the start of the frame
-    Hand hand;
-    Settings settings;
-    std::vector<Vec3> end;  // positions after it
-    double end_time = 0.0;  // [s]
-    long evaluations = 0;   // of the forces
-  };
-  struct Run {
-    ShadowRun shadow;
-    bool is_on = false;
-    long next = 0;  // number of the frame that it computes or waits for
-  };
-
-  // Of the distance to the perturbed run.
-  struct GrowthRun {
-    GrowthMeasurement measurement;
-    std::optional<Growth> result;
-    int pause = 0, frames = 0;  // until the next measurement, and of the current one
-  };
-
-  bool waits(const Run& run) const { return run.is_on && run.next < first_ + static_cast<long>(inputs_.size()); }
-  const Input& input_of(const Run& run) const { return inputs_[static_cast<std::size_t>(run.next - first_)]; }
-  void start(Run& run, const Plan& plan, const State& state);
+  bool waits(const SecondRun& run) const { return run.is_on && run.next < first_ + static_cast<long>(inputs_.size()); }
+  const SecondRunInput& input_of(const SecondRun& run) const { return inputs_[static_cast<std::size_t>(run.next - first_)]; }
+  void start(SecondRun& run, const Plan& plan, const State& state);
   void perturb(const System& system, const State& state, double frame);
-  void finish_frame(const System& system, Run& run);
+  void finish_frame(const System& system, SecondRun& run);
 
   double size_ = 1.0, since_ = 0.0;
   Repetition repetition_;  // of the last frame that the run with half the step began
   bool is_new_ = true, is_edited_ = false, diverged_ = false, failed_ = false;
   bool is_full_ = false;  // no more frames are taken until those that wait are computed, then it starts again
-  Run refined_, perturbed_;
-  std::deque<Input> inputs_;
+  SecondRun refined_, perturbed_;
+  std::deque<SecondRunInput> inputs_;
   long first_ = 0;  // number of the first of them
   std::optional<Error> error_, max_error_;
   GrowthRun growth_;

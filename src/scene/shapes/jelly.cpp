@@ -96,8 +96,8 @@ void make_faces(const Lattice& lattice, ShapeBuilder& builder) {
             return builder.first() + lattice.number(place[0], place[1], place[2]);
           };
           const std::size_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
-          at == 0 ? builder.add_face(a, c, b) : builder.add_face(a, b, c);
-          at == 0 ? builder.add_face(a, d, c) : builder.add_face(a, c, d);
+          at == 0 ? builder.add_face(d, c, a) : builder.add_face(b, c, a);
+          at == 0 ? builder.add_face(a, c, b) : builder.add_face(a, c, d);
         }
   }
 }

@@ -1,4 +1,4 @@
-// The constants of contact that change results. All are dimensionless.
+// The constants of contact that change results. Those without a unit are dimensionless.
 #pragma once
 
 namespace hooke::contact {
@@ -21,5 +21,8 @@ inline constexpr int impact_passes = 6;
 inline constexpr double max_leverage = 8.0;
 // What approaches more slowly than this multiple of what the accelerations supply in a substep rests.
 inline constexpr double rest_speed = 2.0;
+
+// [m], half a pixel of XSpringies: the distance from a sticky one-way wall within which a point at rest is held.
+inline constexpr double held_distance = 0.005;
 
 }  // namespace hooke::contact

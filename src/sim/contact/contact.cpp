@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "sim/contact/contact_work.h"
+#include "sim/contact/one_way.h"
 #include "sim/contact/point_contact.h"
 #include "sim/contact/rounding.h"
 #include "sim/forces/bands.h"
@@ -239,6 +240,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     before.first_impact = before.pairs.first_impact();
   }
   resolve_points(plan, obstacles, before, motion, h, touched);
+  touched = rebound_from_walls(plan, before, h, motion) || touched;
   if (touched && !before.is_limited && before.works != nullptr) before.works->end_point_contact(plan, h, motion);
   const std::span<const PointPair> near = plan.pairs.on ? before.pairs.near() : std::span<const PointPair>();
   if (plan.surface.on && before.surface.resolve(plan, obstacles, near, before.x, before.v, h, motion)) {

@@ -259,8 +259,11 @@ bool TouchSimulation::advance() {
   time_ = next.time;
   ++impacts_;
   ++impulses_;
+  find_impacts_with(queue_.front().touch);
   if (impacts_ > 2 * max_impacts())
     freeze(next);
+  else if (together_.size() > 1)
+    respond_to_all();
   else
     respond(next);
   predict_changed();
@@ -332,19 +335,11 @@ void TouchSimulation::respond(Touch& touch) {
   ContactImpulse none;
   const Vec3 impulse = change_impulse(none, normal_impulse, normal, touch.friction, slip, 1.0 / weight);
 
-  // without a rebound, the corrections of the method's path must not separate them either
-  Vec3 correction(0.0);
-  if (restitution == 0.0) {
-    const Vec3 other = touch.second != no_path ? paths[touch.second].velocity_correction : touch.obstacle->velocity_correction;
-    correction = -glm::dot(normal, first.velocity_correction - other) / weight * normal;
-  }
+  if (restitution == 0.0) remove_correction(touch, normal);
   first.v += first.inverse_mass * impulse;
-  first.velocity_correction += first.inverse_mass * correction;
   change(touch.first);
   if (touch.second == no_path) return;
-  PointPath& second = paths[touch.second];
-  second.v -= second.inverse_mass * impulse;
-  second.velocity_correction -= second.inverse_mass * correction;
+  paths[touch.second].v -= paths[touch.second].inverse_mass * impulse;
   change(touch.second);
 }
 

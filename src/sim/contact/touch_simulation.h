@@ -58,6 +58,9 @@ class TouchSimulation {
   void leave_obstacles();
   void predict(Touch& touch) const;
   void respond(Touch& touch);
+  void remove_correction(const Touch& touch, const Vec3& normal);
+  void find_impacts_with(std::size_t touch);
+  void respond_to_all();
   void freeze(Touch& touch);
   void queue_impacts();
   void predict_changed();
@@ -92,7 +95,9 @@ class TouchSimulation {
   std::vector<Impact> queue_;  // a heap, the earliest first
   // Per path: its touches are those of touches_of_path_ from this one to that of the next path. Empty before the first impact.
   std::vector<std::size_t> first_touch_of_path_, touches_of_path_, end_of_path_;
-  std::vector<std::size_t> active_;  // touches at rest at the start
+  std::vector<std::size_t> active_;                      // touches at rest at the start
+  std::vector<Touch> together_;                          // impacts at the same time
+  std::vector<std::size_t> together_of_, all_together_;  // their touches, and 0, 1, 2, ...
   std::vector<std::size_t> changed_;
   std::vector<char> is_listed_;           // per path: in changed_
   std::vector<Vec3> velocity_;            // per path, while they settle

@@ -21,7 +21,7 @@ CostModel::CostModel(const Plan& plan) {
   force_ = spring_cost * springs + point_cost * points + call_cost;
   for (const Force& force : plan.forces) {
     const ForceCost cost = force.term->cost != nullptr ? force.term->cost(plan, force.values) : ForceCost{};
-    const double items = cost.of_faces ? static_cast<double>(plan.force_data.faces.size()) : points;
+    const double items = cost.of_faces ? static_cast<double>(plan.force_data.faces) : points;
     force_ += cost.evaluation * items;
     substep_ += cost.energy * items;
   }

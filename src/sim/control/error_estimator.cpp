@@ -71,7 +71,7 @@ double FrameRuns::velocity_error(const System& system) const {
 
 bool is_calm(const Plan& plan, const State& state, double duration) {
   const bool has_events = plan.has_contact() || !plan.spring.break_length.empty() || !plan.spring.max_length.empty() || plan.hand.held ||
-                          plan.hand.pull || plan.collider_paths.grabbed || !plan.forces.empty();
+                          plan.hand.pull || plan.collider_paths.grabbed || !plan.forces.empty() || !plan.spring.laws.empty();
   if (has_events) return false;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {

@@ -44,7 +44,7 @@ inline constexpr double release_resolution = 1e-10, negligible_part = 1e-6;
 
 // [1], the perimeter of an isosceles right triangle, relative to its short sides: faces of the estimate of the stiffness of wind.
 inline constexpr double perimeter_of_face = 3.4;
-// [cells], of a row of faces from which vectors pay.
+// [cells], of a row of quads from which vectors pay.
 inline constexpr Index min_face_cells = 4;
 
 }  // namespace hooke

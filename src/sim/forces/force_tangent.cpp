@@ -23,7 +23,7 @@ void ForceTangent::add_volume_curvature(const Plan& plan, const Enclosure& enclo
     }
     for (int c = 0; c < 3; ++c) {
       const Index a = side.points[(c + 1) % 3], b = side.points[(c + 2) % 3], opposite = side.points[c];
-      const double scale = (a < b ? 1.0 : -1.0) * pressure / 6.0;
+      const double scale = (a < b ? 1.0 : -1.0) * side.weight * pressure / 6.0;
       for (int k = 0; k < 3; ++k) volume_curvature_[side.edge[c]][k] += scale * (x[k * n + opposite] - x[k * n + origin]);
     }
   }

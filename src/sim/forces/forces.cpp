@@ -3,6 +3,7 @@
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/grid_kernel.h"
 #include "sim/forces/spring_kernel.h"
+#include "sim/forces/spring_laws.h"
 
 namespace hooke {
 namespace {
@@ -21,7 +22,9 @@ void add_drag(const Plan& plan, const Field& v, Field& f) {
 
 }  // namespace
 
-bool has_forces_outside_grids(const Plan& plan) { return plan.hand.pull || !plan.spring.loose_runs.empty() || !plan.forces.empty(); }
+bool has_forces_outside_grids(const Plan& plan) {
+  return plan.hand.pull || !plan.spring.loose_runs.empty() || !plan.forces.empty() || !plan.spring.laws.empty();
+}
 
 // E = k/2 |sum s_i x_i - target|^2, f_i = -k s_i (sum s_j x_j - target)
 void add_pull(const Plan& plan, double time, const Field& x, Field& f) {
@@ -64,6 +67,7 @@ double compute_external_forces_with_power(const Plan& plan, double time, const F
 void compute_unlisted_forces(const Plan& plan, double time, const Field& x, const Field* v, Field& f) {
   set_gravity(plan, f);
   add_spring_forces(plan, x.data(), v != nullptr ? v->data() : nullptr, f.data());
+  add_law_forces(plan, time, x.data(), v != nullptr ? v->data() : nullptr, f.data());
   if (plan.hand.pull) add_pull(plan, time, x, f);
 }
 
@@ -93,6 +97,7 @@ void compute_accelerations(const Plan& plan, double time, const Field& x, const 
   if (has_forces_outside_grids(plan) || plan.drag != 0.0) {
     compute_external_forces(plan, time, x, v, a);
     add_loose_spring_forces(plan, x.data(), pass.u, a.data());
+    add_law_forces(plan, time, x.data(), pass.u, a.data());
     if (plan.hand.pull) add_pull(plan, time, x, a);
     if (plan.drag != 0.0) add_drag(plan, v, a);
     pass.f = a.data();

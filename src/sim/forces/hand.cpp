@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/forces/motion.h"
+#include "sim/forces/spring_laws.h"
 
 namespace hooke {
 namespace {
@@ -29,20 +30,19 @@ Vec3 hand_force(const Plan& plan, const Motion& motion) {
     const double length = glm::length(along);
     if (length == 0.0) continue;
     const double stretching = glm::dot(v - vector_at(plan, motion.v, other), along) / length;
-    const double damping = plan.has_dashpots() ? plan.spring.damping[s] : 0.0;
-    force += (plan.spring.stiffness[s] * (length - plan.spring.rest_length[s]) + damping * stretching) / length * along;
+    const auto [of, damping] = response_of(plan, s, motion.time, length);
+    force += (of.tension + damping * stretching) / length * along;
   }
   return force;
 }
 
-double energy_of_hand_alone(const Plan& plan, const Motion& motion) {
+double energy_of_hand_alone(const Plan& plan, double time, const Motion& motion) {
   double energy = 0.0;
   if (!plan.hand.held) return energy;
   for (const auto& [s, other] : plan.hand.held_springs) {
     if (plan.inverse_mass[other] != 0.0) continue;
-    const double stretch =
-        glm::distance(vector_at(plan, motion.x, *plan.hand.held), vector_at(plan, motion.x, other)) - plan.spring.rest_length[s];
-    energy += 0.5 * plan.spring.stiffness[s] * stretch * stretch;
+    const double length = glm::distance(vector_at(plan, motion.x, *plan.hand.held), vector_at(plan, motion.x, other));
+    energy += response_of(plan, s, time, length).of.energy;
   }
   return energy;
 }
@@ -54,15 +54,17 @@ double hand_power(const Plan& plan, const Motion& motion) {
   for (const auto& [s, other] : plan.hand.held_springs) {
     const Vec3 along = vector_at(plan, motion.x, *plan.hand.held) - vector_at(plan, motion.x, other);
     const double length = glm::length(along);
-    if (plan.inverse_mass[other] == 0.0 && length > 0.0)
-      force -= plan.spring.stiffness[s] * (length - plan.spring.rest_length[s]) / length * along;
+    if (plan.inverse_mass[other] == 0.0 && length > 0.0) force -= response_of(plan, s, motion.time, length).of.tension / length * along;
   }
   return glm::dot(force, vector_at(plan, motion.v, *plan.hand.held));
 }
 
+HandWork::HandWork(const Plan& plan, const Motion& motion)
+    : time_(motion.time), power_(hand_power(plan, motion)), stored_(energy_of_hand_alone(plan, motion.time, motion)) {}
+
 void HandWork::add(const Plan& plan, Motion& motion, double h) const {
   if (!plan.hand.held && !plan.hand.pull) return;
-  const double stored = energy_of_hand_alone(plan, motion) - stored_;
+  const double stored = energy_of_hand_alone(plan, time_, motion) - stored_;
   motion.energy.add(EnergyCause::Hand, 0.5 * h * (power_ + hand_power(plan, motion)) + stored);
 }
 

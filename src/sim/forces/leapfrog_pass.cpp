@@ -4,6 +4,7 @@
 #include "sim/forces/grid_kernel.h"
 #include "sim/forces/single_precision.h"
 #include "sim/forces/spring_kernel.h"
+#include "sim/forces/spring_laws.h"
 
 namespace hooke {
 namespace {
@@ -38,6 +39,7 @@ void compute_other_forces(const Plan& plan, double time, Motion& motion, const P
   else
     compute_external_forces(plan, time, motion.x, motion.v, motion.a);
   add_loose_spring_forces(plan, motion.x.data(), pass.u, motion.a.data());
+  add_law_forces(plan, time, motion.x.data(), pass.u, motion.a.data());
   if (plan.hand.pull) add_pull(plan, time, motion.x, motion.a);
   pass.f = motion.a.data();
 }

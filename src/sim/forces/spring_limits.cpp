@@ -6,6 +6,7 @@
 
 #include "sim/forces/constants.h"
 #include "sim/forces/energy/plan_energy.h"
+#include "sim/forces/spring_laws.h"
 
 namespace hooke {
 namespace {
@@ -37,7 +38,7 @@ double energy_of(const Plan& plan, const Motion& motion) {
       const double v = motion.v[static_cast<std::size_t>(c) * plan.points + i];
       if (plan.inverse_mass[i] != 0.0) kinetic += 0.5 * plan.mass[i] * v * v;
     }
-  return kinetic + stored_energy(plan, motion.x);
+  return kinetic + stored_energy(plan, motion.time, motion.x);
 }
 
 // Moves the ends of one spring to the distance `max` and stops their separation. As the distance decreases, they rotate faster about their
@@ -112,13 +113,16 @@ double separation_speed(const Plan& plan, const Motion& motion, Index first, Ind
 
 // [W], of a spring of this length.
 double dashpot_power(const Plan& plan, const Motion& motion, Index spring, Index first, Index second, double length) {
-  if (!plan.has_dashpots() || length == 0.0) return 0.0;
+  const double damping = response_of(plan, spring, motion.time, length).damping;
+  if (damping == 0.0 || length == 0.0) return 0.0;
   const double speed = separation_speed(plan, motion, first, second, length);
-  return plan.spring.damping[spring] * speed * speed;
+  return damping * speed * speed;
 }
 
 // A spring that is switched off carries no force and cannot break.
 bool carries_force(const Plan& plan, Index spring) {
+  const LawSprings& laws = plan.spring.laws;
+  if (!laws.empty() && laws.of_packed[spring] != no_index) return laws.springs[laws.of_packed[spring]].acts();
   return plan.spring.stiffness[spring] != 0.0 || (plan.has_dashpots() && plan.spring.damping[spring] > 0.0);
 }
 
@@ -147,8 +151,9 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
       if (!(length >= plan.spring.break_length[s]) || !carries_force(plan, s)) continue;
       motion.breaks.push_back({plan.spring.index[s], motion.time, dashpot_power(plan, motion, s, run.first + e, run.second + e, length)});
-      const double stretch = length - plan.spring.rest_length[s];
-      motion.energy.add(EnergyCause::Breaks, -0.5 * plan.spring.stiffness[s] * stretch * stretch);
+      motion.energy.add(EnergyCause::Breaks, -response_of(plan, s, motion.time, length).of.energy);
+      if (LawSprings& laws = plan.spring.laws; !laws.empty() && laws.of_packed[s] != no_index)
+        laws.springs[laws.of_packed[s]].stiffness = laws.springs[laws.of_packed[s]].damping = 0.0;
       plan.spring.stiffness[s] = 0.0;
       if (plan.has_dashpots()) plan.spring.damping[s] = 0.0;
       broken.push_back(plan.spring.index[s]);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/plan/plan.h"
+#include "sim/forces/spring_laws.h"
 
 namespace hooke {
 
@@ -14,10 +14,10 @@ struct SpringTangent {
   double axial = 0.0, transverse = 0.0;  // [N/m]
 };
 
-// For every spring with a free end: use(first, second, packed index, tangent at x). `use` may treat both ends as free if its contribution
-// to an end that is not free is ignored.
+// For every spring with a free end: use(first, second, packed index, tangent at x and this time). `use` may treat both ends as free if its
+// contribution to an end that is not free is ignored.
 template <class Use>
-void for_each_spring_tangent(const Plan& plan, const Field& x, const Use& use) {
+void for_each_spring_tangent(const Plan& plan, double time, const Field& x, const Use& use) {
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const Index i = run.first + e, j = run.second + e, s = run.begin + e;
@@ -29,10 +29,11 @@ void for_each_spring_tangent(const Plan& plan, const Field& x, const Use& use) {
         tangent.u[c] = x[start + i] - x[start + j];
         square += tangent.u[c] * tangent.u[c];
       }
-      const double length = std::sqrt(square), k = plan.spring.stiffness[s];
+      const double length = std::sqrt(square);
+      const SpringResponse of = response_of(plan, s, time, length).of;
       for (double& component : tangent.u) component = length > 0.0 ? component / length : 0.0;
-      tangent.axial = k;
-      tangent.transverse = length > 0.0 ? std::max(0.0, k * (1.0 - plan.spring.rest_length[s] / length)) : k;
+      tangent.axial = of.stiffness;
+      tangent.transverse = length > 0.0 ? std::max(0.0, of.tension / length) : of.stiffness;
       use(i, j, s, tangent);
     }
 }

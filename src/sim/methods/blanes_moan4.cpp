@@ -39,7 +39,7 @@ void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) 
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   const bool damped = plan.has_dashpots();
-  if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.x, motion.v);
+  if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.time, motion.x, motion.v);
 
   // the last kick's acceleration is the next step's first
   if (motion.acceleration_is_current)
@@ -63,7 +63,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   }
   motion.acceleration_is_current = !plan.force_data.depend_on_velocity;
 
-  if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, motion.x, motion.v);
+  if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, motion.time + h, motion.x, motion.v);
   motion.counts.dashpot_sweeps += damped ? 2 : 0;
 }
 

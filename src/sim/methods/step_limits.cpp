@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/file_limits.h"
+#include "sim/model/constants.h"
 
 namespace hooke {
 namespace {
@@ -26,8 +27,22 @@ Oscillation fastest_oscillation(const System& system) {
   return fastest;
 }
 
+namespace {
+
+// [s], that resolves the muscles as well as colliders that oscillate.
+double resolving_step_of_muscles(const System& system) {
+  double max = 0.0;
+  if (!system.springs().have_laws()) return std::numeric_limits<double>::infinity();
+  for (const Spring& spring : system.springs())
+    if (spring.law && spring.law->amplitude != 0.0) max = std::max(max, spring.law->frequency * system.muscles.rate());
+  return 1.0 / (collider_steps_per_period * max);
+}
+
+}  // namespace
+
 StepNeeds step_needs(const System& system, const State& state) {
-  return {recommended_margin(system, state), shortest_passage(system, state), fastest_oscillation(system).resolving_step};
+  return {recommended_margin(system, state), shortest_passage(system, state),
+          std::min(fastest_oscillation(system).resolving_step, resolving_step_of_muscles(system))};
 }
 
 void StepLimits::update(const Spectrum& spectrum, const StepNeeds& needs) {

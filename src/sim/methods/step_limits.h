@@ -14,9 +14,10 @@ namespace hooke {
 
 // What steps have to resolve besides the linear limit.
 struct StepNeeds {
-  int margin = default_margin;                                   // below that limit (recommended_margin)
-  Passage passage{};                                             // shortest_passage
-  double oscillation = std::numeric_limits<double>::infinity();  // [s], the longest step that resolves the oscillations of colliders
+  int margin = default_margin;  // below that limit (recommended_margin)
+  Passage passage{};            // shortest_passage
+  double oscillation =
+      std::numeric_limits<double>::infinity();  // [s], the longest step that resolves the oscillations of colliders and muscles
 };
 // `state`: the one from which the scene runs.
 StepNeeds step_needs(const System& system, const State& state);

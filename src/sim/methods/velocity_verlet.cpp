@@ -46,13 +46,13 @@ void kick_and_drift_with_velocity(const Plan& plan, Motion& motion, Workspace& w
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   const bool damped = plan.has_dashpots();
-  if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.x, motion.v);
+  if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.time, motion.x, motion.v);
   if (plan.force_data.depend_on_velocity)
     kick_and_drift_with_velocity(plan, motion, work, h);
   else
     kick_and_drift_alone(plan, motion, h);
   motion.acceleration_is_current = true;
-  if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, motion.x, motion.v);
+  if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, motion.time + h, motion.x, motion.v);
   motion.counts.dashpot_sweeps += damped ? 2 : 0;
 }
 

@@ -58,7 +58,7 @@ Amplification amplification(const Oscillator& oscillator) {
 
 constinit const Integrator velocity_verlet_explicit{
     .id = "velocity_verlet_explicit",
-    .label = "Velocity Verlet, explicit damping",
+    .label = "Verlet, explicit damping",
     .summary = "Velocity Verlet for weak dashpots and wind: everything evaluated once per step, which dashpots limit.",
     .cost = "one force evaluation per step",
     .formula =

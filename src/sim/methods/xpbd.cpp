@@ -14,6 +14,7 @@
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
 #include "sim/forces/kick.h"
+#include "sim/forces/spring_laws.h"
 #include "sim/methods/rows.h"
 
 namespace hooke {
@@ -63,6 +64,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
     kick(plan, motion, h);
 
   structure_of<Constraints>(work).sweep(plan, h, motion.x, motion.v);
+  project_laws(plan, h, kick_over(plan.drag, h).weight, motion.time + h, motion.x, motion.v);
   if (plan.hand.pull) pull(plan, motion, h);
   ++motion.counts.sweeps;
 

@@ -2,8 +2,10 @@
 // energy went. lab/accuracy measures it; panels, reports and plots only read it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "sim/model/energy_ledger.h"
 
@@ -25,6 +27,21 @@ struct EnergyBalance {
   EnergyLedger ledger;  // what explains it
   // [J], the rest, gained or lost by the numerical method.
   double method() const { return change - ledger.sum(); }
+  // [J], the change, its terms and the rest, by their names in reports.
+  std::array<std::pair<const char*, double>, 11> terms() const {
+    using enum EnergyCause;
+    return {{{"change", change},
+             {"hand", ledger[Hand]},
+             {"edits", ledger[Edits]},
+             {"forces", ledger.forces()},
+             {"muscles", ledger[Muscles]},
+             {"colliders", ledger[Colliders]},
+             {"limits", ledger.limits()},
+             {"drag", ledger[Drag]},
+             {"dashpots", ledger[Dashpots]},
+             {"contact", ledger[Contact]},
+             {"method", method()}}};
+  }
   bool operator==(const EnergyBalance&) const = default;
 };
 

@@ -14,6 +14,7 @@ enum class EnergyCause {
   Edits,        // changes of the scene between frames; either sign
   Potentials,   // listed forces that have a potential, and moving air that pushes at points at rest; either sign
   Forces,       // all other listed forces, by their power; either sign
+  Muscles,      // springs whose rest length moves: muscles and winches; either sign
   Colliders,    // colliders that move, and the displacement of points that start inside one; either sign
   Breaks,       // the elastic energy of springs that break; never positive
   StrainLimit,  // stops springs at their largest length; positive only where the hand or a collider moves

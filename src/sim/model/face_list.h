@@ -19,7 +19,12 @@ struct Face {
   bool operator==(const Face&) const = default;
 };
 
-// Reads like a vector of faces, but returns values instead of references.
+// The corners of a quad in order around it. A face has no fourth one.
+template <class Id>
+using Panel = std::array<Id, 4>;
+
+// Reads like a vector of faces, but returns values instead of references. Two faces in succession (a, b, c) and (c, b, d) are the halves of
+// a quad: its mass, wind and pressure act in equal parts on its four corners, and do not depend on the diagonal.
 class FaceList {
  public:
   using value_type = Face;
@@ -45,6 +50,14 @@ class FaceList {
   // Removes all faces from this one on.
   void truncate(std::size_t size);
   void push_back(const Face& face);
+  // The halves of a quad with these corners in order around it; the diagonal is from the first to the third.
+  void push_quad(const Panel<PointId>& corners);
+  // A face that is no half of a quad.
+  void push_triangle(std::array<PointId, 3> corners);
+  // Whether the face f, which is not the second half of a quad, is the first one.
+  bool is_quad(std::size_t f) const;
+  // Its corners in order; the diagonal is from the second to the fourth.
+  Panel<PointId> quad(std::size_t f) const { return {points_[f][0], points_[f][1], points_[f + 1][2], points_[f][2]}; }
   void pop_back() { truncate(size() - 1); }
   void set_points(std::size_t f, const std::array<PointId, 3>& points) { points_[f] = points; }
   // The faces of these indices, in this order.

@@ -36,6 +36,8 @@ void SpringList::push_back(const Spring& spring) {
   damping_.push_back(spring.damping);
   rest_length_.push_back(spring.rest_length);
   break_strain_.push_back(spring.break_strain);
+  if (spring.law) laws_.resize(size());
+  if (!laws_.empty()) laws_.resize(size()), laws_.back() = spring.law;
 }
 
 void SpringList::set_properties(std::size_t s, const Spring& spring) {
@@ -43,6 +45,8 @@ void SpringList::set_properties(std::size_t s, const Spring& spring) {
   damping_.set(s, spring.damping);
   rest_length_.set(s, spring.rest_length);
   break_strain_.set(s, spring.break_strain);
+  if (spring.law) laws_.resize(size());
+  if (!laws_.empty()) laws_[s] = spring.law;
 }
 
 SpringList SpringList::select(std::span<const Index> indices) const {
@@ -60,6 +64,7 @@ SpringList SpringList::select(std::span<const Index> indices) const {
       selected.ids_.push_back(SpringId{static_cast<std::uint32_t>(s)});
     selected.ends_.push_back(ends_[s]);
     selected.families_.push_back(families_[s]);
+    if (!laws_.empty()) selected.laws_.push_back(laws_[s]);
   }
   selected.stiffness_ = stiffness_.select(indices);
   selected.damping_ = damping_.select(indices);
@@ -70,7 +75,8 @@ SpringList SpringList::select(std::span<const Index> indices) const {
 
 std::size_t SpringList::bytes() const {
   return ids_.capacity() * sizeof(SpringId) + ends_.capacity() * sizeof(ends_[0]) + families_.capacity() * sizeof(SpringFamily) +
-         stiffness_.bytes() + damping_.bytes() + rest_length_.bytes() + break_strain_.bytes();
+         laws_.capacity() * sizeof(std::optional<SpringLaw>) + stiffness_.bytes() + damping_.bytes() + rest_length_.bytes() +
+         break_strain_.bytes();
 }
 
 bool SpringList::operator==(const SpringList& other) const { return std::ranges::equal(*this, other); }

@@ -4,12 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/lists/number_list.h"
 #include "base/lists/value_iterator.h"
 #include "base/types.h"
+#include "sim/model/spring_law.h"
 
 namespace hooke {
 
@@ -32,6 +34,7 @@ struct Spring {
   double damping = 0.0;                // [N s/m], >= 0: a dashpot along the spring
   double rest_length = 1.0;            // [m], >= 0
   double break_strain = never_breaks;  // [1], > 0
+  std::optional<SpringLaw> law{};      // none: linear, with a constant rest length
   bool operator==(const Spring&) const = default;
 };
 
@@ -56,7 +59,8 @@ class SpringList {
             .stiffness = stiffness_[s],
             .damping = damping_[s],
             .rest_length = rest_length_[s],
-            .break_strain = break_strain_[s]};
+            .break_strain = break_strain_[s],
+            .law = laws_.empty() ? std::nullopt : laws_[s]};
   }
   Spring front() const { return (*this)[0]; }
   Spring back() const { return (*this)[size() - 1]; }
@@ -65,6 +69,7 @@ class SpringList {
 
   void reserve(std::size_t capacity);
   void push_back(const Spring& spring);
+  bool have_laws() const { return !laws_.empty(); }
   // Sets the properties, but neither the id nor the ends nor the family.
   void set_properties(std::size_t s, const Spring& spring);
   // The springs of these indices, in this order.
@@ -79,6 +84,7 @@ class SpringList {
   std::vector<std::array<PointId, 2>> ends_;
   std::vector<SpringFamily> families_;
   NumberList stiffness_, damping_, rest_length_, break_strain_;
+  std::vector<std::optional<SpringLaw>> laws_;  // empty: no spring has one
 };
 
 // A copy of a spring whose properties are written back at the end of its life: system.spring(s)->damping = 0.1.

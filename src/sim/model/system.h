@@ -69,6 +69,8 @@ struct Collider {
   double restitution = 0.0;  // [1], 0..1: normal speed after / before
   double friction = 0.0;     // [1], >= 0: Coulomb's mu
   bool solid = true;         // false: drawn only
+  // A plane at rest that acts as a wall of XSpringies (contact/one_way.h).
+  bool one_way = false;
   ColliderPath path{};
   bool operator==(const Collider&) const = default;
 };
@@ -161,6 +163,7 @@ class System {
   std::optional<Grab> grab;
   double hand_speed = 0.0;                    // [m/s], speed limit of the hand; 0: none
   double break_strain = 0.0;                  // [1], of all springs, in addition to their own; 0: none
+  MuscleClock muscles;                        // of springs whose rest length moves
   double strain_limit = 0.0;                  // [1], maximum strain of every spring, enforced after each step; 0: none
   std::optional<ScriptedHand> scripted_hand;  // inactive while there is a grab
 
@@ -199,6 +202,14 @@ class System {
   double drag_rate() const { return drag_on ? drag : 0.0; }
   bool is_on(const Spring& spring) const { return family_on[static_cast<std::size_t>(spring.family)]; }
   double stiffness_of(const Spring& spring) const { return is_on(spring) ? spring.stiffness : 0.0; }
+  // The same for bounds on frequencies and on steps: the largest derivative of its force.
+  double stiffness_bound_of(const Spring& spring) const {
+    return spring.law ? max_stiffness(*spring.law, stiffness_of(spring), spring.rest_length) : stiffness_of(spring);
+  }
+  // [m], at a time of the scene.
+  double rest_length_of(const Spring& spring, double time) const {
+    return spring.law ? rest_length_at(*spring.law, spring.rest_length, muscles.at(time)).length : spring.rest_length;
+  }
   // [m], the length at which it breaks. Without a rest length, break_strain is that length.
   double break_length_of(const Spring& spring) const {
     const double strain = break_strain > 0.0 ? std::min(break_strain, spring.break_strain) : spring.break_strain;

@@ -38,6 +38,20 @@ bool add_line(const std::vector<EnclosureSide>& sides, EnclosurePlan& plan) {
   return true;
 }
 
+EnclosureSide side_of(const RestFace& face, bool is_flipped, double weight) {
+  const auto& l = face.length;
+  EnclosureSide side{.points = face.corners, .size = face.area, .weight = weight};
+  for (int c = 0; c < 3; ++c) {
+    const double a = l[(c + 1) % 3], b = l[(c + 2) % 3];
+    side.median[c] = 0.5 * std::sqrt(std::max(0.0, 2.0 * a * a + 2.0 * b * b - l[c] * l[c]));
+  }
+  if (is_flipped) {
+    std::swap(side.points[1], side.points[2]);
+    std::swap(side.median[1], side.median[2]);
+  }
+  return side;
+}
+
 // The sets of faces that are connected by edges, in the order of their first faces.
 class ConnectedFaces {
  public:
@@ -135,18 +149,21 @@ class ConnectedFaces {
     }
     if (is_bad(surface)) return false;
     const auto begin = static_cast<Index>(plan.sides.size());
-    for (const Index f : surface) {
-      const auto& l = faces_[f].length;
-      EnclosureSide side{.points = faces_[f].corners, .size = faces_[f].area};
-      for (int c = 0; c < 3; ++c) {
-        const double a = l[(c + 1) % 3], b = l[(c + 2) % 3];
-        side.median[c] = 0.5 * std::sqrt(std::max(0.0, 2.0 * a * a + 2.0 * b * b - l[c] * l[c]));
+    for (std::size_t s = 0; s < surface.size(); ++s) {
+      const Index f = surface[s];
+      const auto add = [&](const RestFace& face, double weight) { plan.sides.push_back(side_of(face, is_flipped_[f], weight)); };
+      std::array<RestFace, 2> others;
+      if (system_.faces.is_quad(f)) {
+        const auto [a, b, c, d] = system_.faces.quad(f);
+        others = {rest_face(system_, lengths_, {{a, b, c}}), rest_face(system_, lengths_, {{c, d, a}})};
       }
-      if (is_flipped_[f]) {
-        std::swap(side.points[1], side.points[2]);
-        std::swap(side.median[1], side.median[2]);
+      if (others[0].area == 0.0 || others[1].area == 0.0) {
+        add(faces_[f], 1.0);
+        continue;
       }
-      plan.sides.push_back(side);
+      // the mean of both diagonals
+      for (const RestFace& face : {faces_[f], faces_[f + 1], others[0], others[1]}) add(face, 0.5);
+      ++s;
     }
     // V = S^(3/2) / (6 sqrt(pi))
     plan.enclosures.push_back({begin, static_cast<Index>(plan.sides.size()), area * std::sqrt(area / std::numbers::pi) / 6.0});
@@ -268,12 +285,13 @@ double signed_volume(const Plan& plan, const Enclosure& enclosure, const double*
   const Origin origin = origin_of(plan, enclosure, x);
   double sum = 0.0;
   for (Index s = enclosure.begin; s < enclosure.end; ++s) {
-    const auto& [a, b, c] = plan.force_data.enclosures.sides[s].points;
+    const EnclosureSide& side = plan.force_data.enclosures.sides[s];
+    const auto& [a, b, c] = side.points;
     if (plan.dimensions == 2)
       sum += (x[a] - origin.c[0]) * (x[n + b] - origin.c[1]) - (x[b] - origin.c[0]) * (x[n + a] - origin.c[1]);
     else
-      sum += glm::dot(relative_position(plan, x, a, origin),
-                      glm::cross(relative_position(plan, x, b, origin), relative_position(plan, x, c, origin)));
+      sum += side.weight * glm::dot(relative_position(plan, x, a, origin),
+                                    glm::cross(relative_position(plan, x, b, origin), relative_position(plan, x, c, origin)));
   }
   return sum / (plan.dimensions == 2 ? 2.0 : 6.0);
 }
@@ -282,7 +300,8 @@ void add_volume_gradient(const Plan& plan, const Enclosure& enclosure, double sc
   const std::size_t n = plan.points;
   const Origin origin = origin_of(plan, enclosure, x);
   for (Index s = enclosure.begin; s < enclosure.end; ++s) {
-    const auto& points = plan.force_data.enclosures.sides[s].points;
+    const EnclosureSide& side = plan.force_data.enclosures.sides[s];
+    const auto& points = side.points;
     if (plan.dimensions == 2) {
       const std::size_t i = points[0], j = points[1];
       f[i] += 0.5 * scale * (x[n + j] - origin.c[1]);
@@ -294,7 +313,7 @@ void add_volume_gradient(const Plan& plan, const Enclosure& enclosure, double sc
     std::array<Vec3, 3> p;
     for (int a = 0; a < 3; ++a) p[a] = relative_position(plan, x, points[a], origin);
     for (int a = 0; a < 3; ++a) {
-      const Vec3 normal = scale / 6.0 * glm::cross(p[(a + 1) % 3], p[(a + 2) % 3]);
+      const Vec3 normal = scale * side.weight / 6.0 * glm::cross(p[(a + 1) % 3], p[(a + 2) % 3]);
       for (int c = 0; c < 3; ++c) f[static_cast<std::size_t>(c) * n + static_cast<std::size_t>(points[a])] += normal[c];
     }
   }

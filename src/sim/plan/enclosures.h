@@ -17,6 +17,7 @@ struct EnclosureSide {
   std::array<Index, 3> edge{};     // of EnclosurePlan::edges, opposite each corner; in flat scenes only edge[0]
   std::array<double, 3> median{};  // [m], bound at rest on the distance of each corner from the middle of the edge opposite
   double size = 0.0;               // [m^2] or [m], at rest
+  double weight = 1.0;             // [1], of its volume and area; 1/2: of the halves of a quad by one of its diagonals
 };
 
 struct Enclosure {

@@ -8,6 +8,7 @@
 #include "sim/model/grab.h"
 #include "sim/model/portable_math.h"
 #include "sim/model/state.h"
+#include "sim/plan/law_springs.h"
 #include "sim/plan/numbering/point_order.h"
 #include "sim/plan/numbering/spring_runs.h"
 #include "sim/plan/spectrum_rows.h"
@@ -36,6 +37,7 @@ bool flatten(Collider& collider) {
 
 void plan_colliders(Plan& plan, const System& system) {
   plan.colliders.clear();
+  plan.one_way.clear();
   plan.collider_paths.index.clear();
   plan.collider_paths.any_moves = false;
   plan.collider_paths.resolving_step = std::numeric_limits<double>::infinity();
@@ -43,6 +45,10 @@ void plan_colliders(Plan& plan, const System& system) {
   for (std::size_t c = 0; c < system.colliders.size(); ++c) {
     Collider collider = system.colliders[c];
     if (!collider.solid || (plan.dimensions == 2 && !flatten(collider))) continue;
+    if (collider.one_way && !collider.path.moves() && std::holds_alternative<Plane>(collider.shape)) {
+      plan.one_way.push_back(collider);
+      continue;
+    }
     plan.collider_paths.any_moves = plan.collider_paths.any_moves || collider.path.moves();
     plan.collider_paths.resolving_step = std::min(plan.collider_paths.resolving_step, collider.path.resolving_step());
     plan.colliders.push_back(collider);
@@ -87,14 +93,14 @@ void plan_forces(Plan& plan, const System& system) {
   std::ranges::stable_sort(plan.forces, {}, [](const Force& force) { return force.term->rank; });
   plan.force_data.depend_on_velocity = std::ranges::any_of(plan.forces, &Force::depends_on_velocity);
 
-  plan.force_data.faces.clear();
-  plan.force_data.face_rows.clear();
+  plan.force_data.faces = 0;
+  plan.force_data.panels.clear();
+  plan.force_data.panel_rows.clear();
   plan.force_data.hinges = {};
   plan.force_data.enclosures = {};
   plan.force_data.sticky.strength = 0.0;
   if (plan.forces.empty()) return;
-  for (const Face& face : system.faces)
-    plan.force_data.faces.push_back({system.index_of(face.points[0]), system.index_of(face.points[1]), system.index_of(face.points[2])});
+  plan.force_data.faces = system.faces.size();
   for (const Force& force : plan.forces)
     if (force.term->prepare != nullptr) force.term->prepare(system, plan);
 }
@@ -223,13 +229,14 @@ void refresh_values(Plan& plan, const System& system) {
   bool damped = false;
   for (Index s = 0; s < plan.springs; ++s) {
     const Spring& spring = system.springs()[plan.spring.index[s]];
-    plan.spring.stiffness[s] = system.stiffness_of(spring);
+    plan.spring.stiffness[s] = spring.law ? 0.0 : system.stiffness_of(spring);
     plan.spring.rest_length[s] = spring.rest_length;
     damped = damped || system.damping_of(spring) > 0.0;
   }
-  plan.spring.damping.resize(damped ? plan.springs : 0);
+  plan.spring.damping.assign(damped ? plan.springs : 0, 0.0);
   for (Index s = 0; s < static_cast<Index>(plan.spring.damping.size()); ++s)
-    plan.spring.damping[s] = system.damping_of(system.springs()[plan.spring.index[s]]);
+    if (const Spring spring = system.springs()[plan.spring.index[s]]; !spring.law) plan.spring.damping[s] = system.damping_of(spring);
+  plan_laws(plan, system);
 
   plan_length_limits(plan, system);
   refresh_grids(plan);
@@ -305,7 +312,7 @@ ColliderReach reach_of(const Collider& collider) {
 
 double plausible_reach(const System& system, const Spectrum& spectrum, double extent, double speed, double time) {
   double acceleration = glm::length(system.gravity);
-  for (const Spring& spring : system.springs()) extent = std::max(extent, spring.rest_length);
+  for (const Spring& spring : system.springs()) extent = std::max(extent, system.rest_length_of(spring, time));
   for (const Collider& collider : system.colliders) {
     if (!collider.solid) continue;
     const ColliderReach reach = reach_of(collider);
@@ -336,7 +343,7 @@ Spectrum bound_spectrum(const System& system, const Plan& prepared, double point
   double min_ratio = std::numeric_limits<double>::infinity();
   for (const Spring& spring : system.springs()) {
     const bool is_fixed = system.points()[system.index_of(spring.first)].nailed && system.points()[system.index_of(spring.second)].nailed;
-    const double stiffness = system.stiffness_of(spring);
+    const double stiffness = system.stiffness_bound_of(spring);
     if (!is_fixed && stiffness > 0.0) min_ratio = std::min(min_ratio, system.damping_of(spring) / stiffness);
   }
   if (system.grab && system.grab->kind == GrabKind::Pull) add_pull_rows(system, rows.stiffness);

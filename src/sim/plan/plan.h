@@ -54,10 +54,10 @@ struct PlannedPull {
   }
 };
 
-// `cells` cells of two faces each, from the face `first` on,
-//   (i, j, i+1), (i+1, j, j+1)
-// with i and j one larger than in the cell before: as in a cloth.
-struct FaceRow {
+// `cells` quads, from the panel `first` on,
+//   (i, j, j+1, i+1)
+// with i and j one larger than in the one before: as in a cloth.
+struct PanelRow {
   Index first = 0, cells = 0;
 };
 
@@ -109,6 +109,21 @@ struct PointNumbers {
   std::vector<Index> number;  // of the System's point, in the Plan
 };
 
+// A spring with a law, or whose rest length moves. Among the packed springs, it has no stiffness and no damping.
+struct LawSpring {
+  Index first = 0, second = 0;
+  SpringLaw law;
+  double stiffness = 0.0, damping = 0.0, rest_length = 0.0;  // k, d and l0; k and d 0: it is broken or switched off
+  bool acts() const { return stiffness > 0.0 || damping > 0.0; }
+};
+struct LawSprings {
+  std::vector<LawSpring> springs;  // in the order of the packed springs
+  std::vector<Index> of_packed;    // of a packed spring; no_index: it has no law; empty: none has
+  MuscleClock clock;
+  bool move = false;  // whether any rest length moves
+  bool empty() const { return springs.empty(); }
+};
+
 // The springs in the order of the runs.
 struct PlannedSprings {
   std::vector<SpringRun> runs;
@@ -120,6 +135,7 @@ struct PlannedSprings {
   std::vector<SpringRun> loose_runs;
   std::vector<double> break_length;  // [m], at which the spring breaks; empty: none breaks
   std::vector<double> max_length;    // [m], of the strain limit; empty: no limit
+  LawSprings laws;
 };
 
 // How the solid colliders move.
@@ -133,11 +149,12 @@ struct ColliderPaths {
 
 // What the listed forces need.
 struct ForceData {
-  bool depend_on_velocity = false;          // whether any of them does
-  std::vector<std::array<Index, 3>> faces;  // of points; empty without listed forces
-  std::vector<FaceRow> face_rows;           // in their order; empty without wind
-  HingePlan hinges;                         // empty without the bending force
-  EnclosurePlan enclosures;                 // empty without the pressure force
+  bool depend_on_velocity = false;   // whether any of them does
+  std::size_t faces = 0;             // 0 without listed forces
+  std::vector<Panel<Index>> panels;  // faces and quads; empty without wind
+  std::vector<PanelRow> panel_rows;  // in their order
+  HingePlan hinges;                  // empty without the bending force
+  EnclosurePlan enclosures;          // empty without the pressure force
   StickyPlan sticky;
 };
 
@@ -164,7 +181,8 @@ struct Plan {
   PlannedSprings spring;
 
   std::vector<double> radius;       // [m], per point; empty: no contact and no listed forces
-  std::vector<Collider> colliders;  // the solid ones, at the start of their paths
+  std::vector<Collider> colliders;  // the solid ones, at the start of their paths, without the planes that act one way
+  std::vector<Collider> one_way;    // these planes
   ColliderPaths collider_paths;
   PairPlan pairs;             // of points that touch
   SurfacePlan surface;        // of faces and springs that touch
@@ -180,7 +198,7 @@ struct Plan {
   Index number_of(Index listed) const { return numbering.number.empty() ? listed : numbering.number[listed]; }
   Index listed_index(Index number) const { return numbering.index.empty() ? number : numbering.index[number]; }
 
-  bool has_contact() const { return !colliders.empty() || touches_itself(); }
+  bool has_contact() const { return !colliders.empty() || !one_way.empty() || touches_itself(); }
   bool touches_itself() const { return pairs.on || surface.on; }
   bool has_dashpots() const { return !spring.damping.empty(); }
 

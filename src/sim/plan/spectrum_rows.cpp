@@ -16,7 +16,7 @@ SpectrumRows spectrum_rows(const System& system) {
       inverse_root = 1.0 / std::sqrt(masses);
     }
     const double coupling = first.nailed || second.nailed ? 0.0 : inverse_root;
-    const double stiffness = system.stiffness_of(spring), damping = system.damping_of(spring);
+    const double stiffness = system.stiffness_bound_of(spring), damping = system.damping_of(spring);
     for (const auto& [at, point] : {std::pair{i, &first}, std::pair{j, &second}}) {
       if (point->nailed) continue;
       const double weight = 1.0 / point->mass + coupling;

@@ -102,7 +102,7 @@ std::optional<Mode> confirmed_mode(const Find& find, bool is_damped) {
 // u.K u and u.D u, of a mode with u.M u = 1.
 Mode mode_of(const Plan& plan, const std::vector<double>& damping, const Field& x, const Vector& u) {
   double stiffness = 0.0, rate = 0.0;
-  for_each_spring_tangent(plan, x, [&](Index i, Index j, Index s, const SpringTangent& tangent) {
+  for_each_spring_tangent(plan, 0.0, x, [&](Index i, Index j, Index s, const SpringTangent& tangent) {
     double axial = 0.0, square = 0.0;
     for (int c = 0; c < plan.dimensions; ++c) {
       const Eigen::Index start = static_cast<Eigen::Index>(c) * plan.points;
@@ -124,7 +124,7 @@ std::optional<Mode> fastest_mode(const Plan& plan, const std::vector<double>& da
   const auto apply = [&](Vector& y) {
     y = y.cwiseProduct(inverse);
     force.setZero();
-    for_each_spring_tangent(plan, x, [&](Index i, Index j, Index, const SpringTangent& tangent) {
+    for_each_spring_tangent(plan, 0.0, x, [&](Index i, Index j, Index, const SpringTangent& tangent) {
       double axial = 0.0;
       for (int c = 0; c < plan.dimensions; ++c) {
         const Eigen::Index start = static_cast<Eigen::Index>(c) * plan.points;

@@ -17,7 +17,7 @@ std::vector<double> stiffness_rates(const System& system) {
   for (const Spring& spring : system.springs())
     for (const PointId id : {spring.first, spring.second}) {
       const Index i = system.index_of(id);
-      rate[i] += system.stiffness_of(spring) / system.points()[i].mass;
+      rate[i] += system.stiffness_bound_of(spring) / system.points()[i].mass;
     }
   return rate;
 }

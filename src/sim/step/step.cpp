@@ -15,7 +15,7 @@ namespace {
 // from no force and that the next steps remove.
 double stretch_energy(const System& system, double displacement) {
   double stiffness = 0.0;
-  for (const Spring& spring : system.springs()) stiffness += system.stiffness_of(spring);
+  for (const Spring& spring : system.springs()) stiffness += system.stiffness_bound_of(spring);
   return 0.5 * stiffness * displacement * displacement;
 }
 

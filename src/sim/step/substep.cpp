@@ -26,8 +26,8 @@ void keep_start(const Plan& plan, const Motion& motion, ContactWorkspace& before
 
 // Whether anything acts between two substeps or depends on the time.
 bool acts_between_substeps(const Plan& plan) {
-  return plan.hand.held || plan.hand.pull || plan.has_contact() || !plan.forces.empty() || !plan.spring.break_length.empty() ||
-         !plan.spring.max_length.empty();
+  return plan.hand.held || plan.hand.pull || plan.has_contact() || !plan.forces.empty() || !plan.spring.laws.empty() ||
+         !plan.spring.break_length.empty() || !plan.spring.max_length.empty();
 }
 
 }  // namespace

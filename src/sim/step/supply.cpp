@@ -57,7 +57,7 @@ void record_edit_energy(const System& system, double change, State& state) {
 void record_frame_energy(const Plan& plan, const EnergyLedger& frame, const HandMotion& hand, State& state) {
   using enum EnergyCause;
   EnergySupply& supply = state.supply;
-  for (const EnergyCause cause : {Colliders, Breaks, StrainLimit, Forces}) {
+  for (const EnergyCause cause : {Colliders, Breaks, StrainLimit, Forces, Muscles}) {
     supply.net_input += frame[cause];
     supply.scale += std::max(0.0, frame[cause]);
   }

@@ -22,7 +22,7 @@ namespace {
 
 // Anything that makes the motion nonlinear, or is not part of the formulas.
 bool has_only_springs_weight_and_drag(const System& system, const State& state) {
-  const bool has_limits = system.strain_limit > 0.0 || system.any_spring_breaks();
+  const bool has_limits = system.strain_limit > 0.0 || system.springs().have_laws() || system.any_spring_breaks();
   return !has_limits && !system.grab && !system.scripted_hand && !state.hand.collider && std::ranges::none_of(system.forces, &Force::on);
 }
 

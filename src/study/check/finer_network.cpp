@@ -14,10 +14,6 @@
 namespace hooke {
 namespace {
 
-struct Cell {
-  Index r = 0, c = 0;  // in a grid
-};
-
 // Of a spring, as if many of them lay side by side.
 struct Strength {
   double k = 0.0, d = 0.0, length = 0.0, weight = 0.0;  // length: sum of weight times rest length
@@ -54,7 +50,7 @@ class NetworkRefinement {
 
   std::optional<FinerNetwork> run(Index max_points) {
     find_grids_of_springs();
-    if (fine_.empty()) return std::nullopt;
+    if (fine_.empty() || system_.springs().have_laws()) return std::nullopt;
     place_points();
     if (points_.size() > static_cast<std::size_t>(max_points)) return std::nullopt;
     for (const Fine& fine : fine_) {
@@ -326,36 +322,40 @@ class NetworkRefinement {
                         .break_strain = strength.break_strain});
   }
 
-  // A face of a refined cell becomes four, which are flat between each other.
-  std::vector<Face> finer_faces() const {
-    std::vector<Face> faces;
-    for (const Face& face : system_.faces) {
-      std::array<Cell, 3> cell;
-      int in = -1;
-      bool is_in_cell = true;
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const Index i = system_.index_of(face.points[corner]);
-        const int grid = grid_of_[static_cast<std::size_t>(i)];
-        is_in_cell = is_in_cell && grid >= 0 && (corner == 0 || grid == in);
-        in = grid;
-        if (!is_in_cell) break;
-        const Grid& of = *fine_[static_cast<std::size_t>(in)].grid;
-        cell[corner] = {(i - of.first) / of.columns, (i - of.first) % of.columns};
-        is_in_cell = std::abs(cell[corner].r - cell[0].r) <= 1 && std::abs(cell[corner].c - cell[0].c) <= 1;
+  // A face of a refined cell becomes four, which are flat between each other: those of the corners, and the middle.
+  std::vector<Face> finer_face(const Face& face) const {
+    const int in = grid_of_[system_.index_of(face.points[0])];
+    if (in < 0) return {face};
+    const Fine& fine = fine_[in];
+    std::array<std::array<Index, 2>, 3> cell;  // row, column
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Index i = system_.index_of(face.points[corner]), at = i - fine.grid->first;
+      if (grid_of_[i] != in) return {face};
+      cell[corner] = {at / fine.grid->columns, at % fine.grid->columns};
+      for (std::size_t other = 0; other < corner; ++other)
+        for (const int c : {0, 1})
+          if (std::abs(cell[corner][c] - cell[other][c]) > 1) return {face};
+    }
+    const auto id = [&](int a, int b) { return points_[fine.at(cell[a][0] + cell[b][0], cell[a][1] + cell[b][1])].id; };
+    const auto& [t0, t1, t2] = face.rest_angle;
+    return {{{id(0, 0), id(0, 1), id(0, 2)}, {0.0, t1, t2}},
+            {{id(0, 1), id(1, 1), id(1, 2)}, {t0, 0.0, t2}},
+            {{id(0, 2), id(1, 2), id(2, 2)}, {t0, t1, 0.0}},
+            {{id(0, 1), id(1, 2), id(0, 2)}}};
+  }
+
+  // A quad becomes four quads.
+  FaceList finer_faces() const {
+    FaceList faces;
+    for (std::size_t f = 0; f < system_.faces.size(); ++f) {
+      std::vector<Face> own = finer_face(system_.faces[f]), other;
+      if (system_.faces.is_quad(f)) other = finer_face(system_.faces[f + 1]);
+      if (own.size() == 4 && other.size() == 4) {
+        const auto& [i, j, k] = own[3].points;
+        own = {own[0], Face{{k, i, j}}, own[1], other[1], own[2], other[0], other[3], other[2]};
+        ++f;
       }
-      if (!is_in_cell || std::abs(cell[1].r - cell[2].r) > 1 || std::abs(cell[1].c - cell[2].c) > 1) {
-        faces.push_back(face);
-        continue;
-      }
-      const Fine& fine = fine_[static_cast<std::size_t>(in)];
-      const auto id = [&](std::size_t a, std::size_t b) {
-        return points_[static_cast<std::size_t>(fine.at(cell[a].r + cell[b].r, cell[a].c + cell[b].c))].id;
-      };
-      const auto& [t0, t1, t2] = face.rest_angle;
-      faces.push_back({{id(0, 0), id(0, 1), id(0, 2)}, {0.0, t1, t2}});
-      faces.push_back({{id(0, 1), id(1, 1), id(1, 2)}, {t0, 0.0, t2}});
-      faces.push_back({{id(0, 2), id(1, 2), id(2, 2)}, {t0, t1, 0.0}});
-      faces.push_back({{id(0, 1), id(1, 2), id(0, 2)}});
+      for (const Face& each : own) faces.push_back(each);
     }
     return faces;
   }

@@ -37,7 +37,7 @@ struct ResultCheck {
   std::string why_not_finer;       // in a clause; empty: it was computed
   std::string note;                // in a sentence: why there is no result; empty: there is one
 
-  // "Independent of the step (0.02 mm); depends on resolution: sag 64 mm -> 71 mm, refine once more."
+  // "Independent of the step (0.02 mm); depends on resolution: sag 64 mm → 71 mm, refine once more."
   std::string sentence() const;
 };
 

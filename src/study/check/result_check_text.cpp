@@ -35,7 +35,7 @@ std::string length_in_mm(double length) {
 }
 
 std::string from_to(const CheckedQuantity& quantity, Value from, Value to) {
-  return std::string(quantity.name) + " " + value_text(quantity, *(quantity.*from)) + " -> " + value_text(quantity, *(quantity.*to));
+  return std::string(quantity.name) + " " + value_text(quantity, *(quantity.*from)) + " \u2192 " + value_text(quantity, *(quantity.*to));
 }
 
 }  // namespace

@@ -25,8 +25,7 @@ double TrialWork::since_last(const FrameRunner& frame, bool is_finished) {
   trials_ = trials;
   if (!is_finished) return work;
   calls_ = 0;
-  const double items = plan_.points + 3.0 * static_cast<double>(plan_.force_data.faces.size()),
-               forces = static_cast<double>(plan_.forces.size());
+  const double items = plan_.points + 3.0 * static_cast<double>(plan_.force_data.faces), forces = static_cast<double>(plan_.forces.size());
   return work + of_frame + items * (of_point + 45.0 * forces) + of_spring * plan_.springs;
 }
 

@@ -91,9 +91,9 @@ void energy_section(const Accuracy& accuracy) {
   const EnergyBalance& balance = accuracy.energy;
   const EnergyLedger& ledger = balance.ledger;
   const std::array terms{
-      Term{"Hand", ledger[Hand]},           Term{"Edits", ledger[Edits]},     Term{"Forces", ledger.forces()},
-      Term{"Colliders", ledger[Colliders]}, Term{"Limits", ledger.limits()},  Term{"Drag", ledger[Drag]},
-      Term{"Dashpots", ledger[Dashpots]},   Term{"Contact", ledger[Contact]},
+      Term{"Hand", ledger[Hand]},       Term{"Edits", ledger[Edits]},         Term{"Forces", ledger.forces()},
+      Term{"Muscles", ledger[Muscles]}, Term{"Colliders", ledger[Colliders]}, Term{"Limits", ledger.limits()},
+      Term{"Drag", ledger[Drag]},       Term{"Dashpots", ledger[Dashpots]},   Term{"Contact", ledger[Contact]},
   };
   double scale = std::max(std::abs(balance.change), std::abs(balance.method()));
   for (const Term& term : terms) scale = std::max(scale, std::abs(term.value));

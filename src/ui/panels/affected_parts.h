@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -32,7 +33,13 @@ auto common(const std::vector<Item>& items, const Read& read) {
   if constexpr (std::is_floating_point_v<decltype(found.value)>) {
     if (!found.mixed) return found;
     found.value = 0.0;
-    for (const Item& item : items) found.value += read(item) / static_cast<double>(items.size());
+    double largest = 0.0;
+    for (const Item& item : items) {
+      found.value += read(item) / static_cast<double>(items.size());
+      largest = std::max(largest, std::abs(read(item)));
+    }
+    // the rest of a sum that is zero but for round-off
+    if (std::abs(found.value) < 1e-12 * largest) found.value = 0.0;
   }
   return found;
 }

@@ -194,7 +194,7 @@ fs::path resolved_path(const Dialog& dialog) {
 
 void go_to_folder(Dialog& dialog, const fs::path& folder, FileDialogMode mode) {
   const fs::path name = resolved_path(dialog).filename();
-  dialog.browser.folder = folder;
+  dialog.browser.folder = folder.has_filename() ? folder : folder.parent_path();
   dialog.browser.place = Browser::Place::Folder;
   ++dialog.text_version;
   dialog.typed = mode == FileDialogMode::Save && !dialog.typed.empty() ? (folder / name).string() : std::string();

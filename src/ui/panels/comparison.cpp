@@ -20,10 +20,25 @@
 namespace hooke {
 namespace {
 
-// The lines have the colors of plots; the methods after the first six repeat them with smaller markers.
+// The lines have the colors of plots; the methods after the first six repeat them dashed. The markers have as many corners as the style
+// says: 0 is a circle.
 constexpr std::size_t color_count = std::size(palette::inks);
 ImU32 color_of(std::size_t method) { return palette::inks[method % color_count]; }
-float radius_of(std::size_t method) { return units(method < color_count ? 3.5 : 2.0); }
+bool is_dashed(std::size_t method) { return method >= color_count; }
+
+void draw_marker(ImDrawList& list, ImVec2 at, std::size_t method) {
+  constexpr std::array corners{0, 4, 3, 5};
+  list.AddNgonFilled(at, units(4.0), color_of(method), corners[method % corners.size()] == 0 ? 16 : corners[method % corners.size()]);
+}
+
+void draw_segment(ImDrawList& list, ImVec2 from, ImVec2 to, std::size_t method) {
+  if (!is_dashed(method)) return list.AddLine(from, to, color_of(method), units(1.5));
+  const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy), dash = units(5.0);
+  for (float at = 0.0f; at < length; at += 2.0f * dash) {
+    const float s = at / length, t = std::min(at + dash, length) / length;
+    list.AddLine({from.x + s * dx, from.y + s * dy}, {from.x + t * dx, from.y + t * dy}, color_of(method), units(1.5));
+  }
+}
 
 bool is_drawn(const Row& row) {
   return row.error && row.cpu_ms_per_s && *row.error > 0.0 && *row.cpu_ms_per_s > 0.0 && row.relative_error < 1.0;
@@ -85,10 +100,11 @@ struct Chart {
       const float wide = ImGui::CalcTextSize(label.c_str()).x;
       list.AddText({std::min(x - 0.5f * wide, end.x - wide), end.y + units(4.0)}, palette::dim, label.c_str());
     }
-    const char* above = "Error after the compared time (RMS over the points)";
+    const std::string short_text = "Error after " + quantity_text(record.seconds, "s");
+    std::string above = short_text + " (RMS over the points)";
     const float left = at.x - units(52.0);
-    if (left + ImGui::CalcTextSize(above).x > end.x) above = "Error after the compared time";
-    list.AddText({left, at.y - units(21.0)}, palette::dim, above);
+    if (left + ImGui::CalcTextSize(above.c_str()).x > end.x) above = short_text;
+    list.AddText({left, at.y - units(21.0)}, palette::dim, above.c_str());
     const char* below = "CPU time per simulated second";
     list.AddText({end.x - ImGui::CalcTextSize(below).x, end.y + units(20.0)}, palette::dim, below);
     ImGui::PopFont();
@@ -114,15 +130,14 @@ struct Chart {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     std::size_t number_of_method = 0;
     for (const Integrator& method : integrators()) {
-      const ImU32 color = color_of(number_of_method);
-      const float radius = radius_of(number_of_method++);
+      const std::size_t style = number_of_method++;
       const ImVec2* last = nullptr;
       ImVec2 previous{};
       for (const Row& row : record.rows) {
         if (row.method != method.id || !is_drawn(row)) continue;
         const ImVec2 here = place(*row.cpu_ms_per_s, *row.error);
-        if (last != nullptr) list.AddLine(previous, here, color, units(1.5));
-        list.AddCircleFilled(here, radius, color);
+        if (last != nullptr) draw_segment(list, previous, here, style);
+        draw_marker(list, here, style);
         previous = here;
         last = &previous;
         const float distance = std::hypot(here.x - mouse.x, here.y - mouse.y);
@@ -194,8 +209,7 @@ void legend(const ProblemRecord& record) {
     }
     is_first = false;
     const ImVec2 here = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddCircleFilled({here.x + units(4.0), here.y + 0.5f * ImGui::GetTextLineHeight()}, radius_of(style),
-                                                color_of(style));
+    draw_marker(*ImGui::GetWindowDrawList(), {here.x + units(4.0), here.y + 0.5f * ImGui::GetTextLineHeight()}, style);
     ImGui::SetCursorScreenPos({here.x + units(12.0), here.y});
     text_in(palette::dim, name);
   }

@@ -22,7 +22,7 @@ bool push_button(const char* label) {
   return ImGui::Button(label, {std::max(units(96.0), text + units(24.0)), units(30.0)});
 }
 
-bool enter_pressed(const PanelInput& input) { return input.presses(PanelKey::Target::Dialog, Key::Enter) > 0; }
+bool enter_pressed(const PanelInput& input) { return input.presses(PanelKey::Target::Dialog, Key::Enter) > 0 && !has_focused_item(); }
 bool escape_pressed(const PanelInput& input) { return input.presses(PanelKey::Target::Dialog, Key::Escape) > 0; }
 
 // The first button, also pressed by Enter.
@@ -161,8 +161,10 @@ void save_box(const PanelInput& input, Panels& panels, Requests& requests) {
   std::error_code error;
   const std::filesystem::path chosen_path = resolved_path(panels.dialog);
   const bool replaces = chosen_path != input.file && std::filesystem::is_regular_file(chosen_path, error);
-  text_in(palette::warning, replaces ? "A file with this name exists and will be replaced" : " ");
-  chosen = accepted(input, replaces ? "Replace" : "Save") || chosen;
+  text_in(palette::warning, replaces ? "A file with this name exists" : " ");
+  // Enter goes to the button that replaces a file, and only there presses it
+  if (replaces && enter_pressed(input)) ImGui::SetKeyboardFocusHere();
+  chosen = (replaces ? push_button("Replace") : accepted(input, "Save")) || (chosen && !replaces);
   if (canceled(input)) {
     requests.emplace_back(Answer::Cancel);
     return close(panels);
@@ -274,7 +276,10 @@ void build_dialogs(const PanelInput& input, Panels& panels, Requests& requests) 
     ImGui::TextUnformatted(heading.c_str());
     ImGui::PopFont();
     ImGui::Dummy({0.0f, units(4.0)});
+    if (input.presses(PanelKey::Target::Dialog, Key::Enter) > 0 && has_focused_item()) press_focused_item();
+    begin_tab_stops();
     row.build(input, panels, requests);
+    end_tab_stops();
     ImGui::EndPopup();
   } else {
     panels.dialog = {};

@@ -2,10 +2,12 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "base/folder_listing.h"
 #include "formats/file_kind.h"
 #include "scene/quantity.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
+#include "ui/typed_field.h"
 #include "ui/widgets.h"
 #include "ui/wrapped_text.h"
 
@@ -55,6 +57,25 @@ void over_time(ExportState& export_state, Panels& panels) {
   ImGui::PopFont();
 }
 
+void picture_rows(ExportState& export_state, const PanelInput& input, Panels& panels) {
+  if (export_kinds()[export_state.kind].source != ExportSource::Picture) return;
+  PictureOptions& picture = export_state.picture;
+  ImGui::Checkbox("The whole window with its panels", &picture.panels);
+  if (picture.panels) return;
+  ImGui::Checkbox("Transparent background", &picture.transparent);
+  if (picture.width == 0)
+    picture.width = static_cast<int>(input.layout.scene.width), picture.height = static_cast<int>(input.layout.scene.height);
+  const auto size = [&](const char* label, int& pixels) {
+    ImGui::PushID(label);
+    if (const auto typed =
+            typed_row({.label = label, .unit = "px", .min = 16.0, .max = 16384.0, .value = static_cast<double>(pixels)}, panels))
+      pixels = static_cast<int>(*typed);
+    ImGui::PopID();
+  };
+  size("Width", picture.width);
+  size("Height", picture.height);
+}
+
 void buttons(const PanelInput& input, ExportState& export_state, Requests& requests) {
   const ExportWork& work = input.export_work;
   if (work.is_running) {
@@ -63,10 +84,17 @@ void buttons(const PanelInput& input, ExportState& export_state, Requests& reque
     if (ImGui::Button("Stop", {units(96.0), units(30.0)})) requests.emplace_back(StopExport{});
     return;
   }
+  // Enter goes to the button that replaces a file, and only there presses it
+  std::error_code error;
+  const auto file = resolve_typed_path(export_state.path, std::filesystem::current_path(error));
+  const bool replaces = std::filesystem::is_regular_file(file, error), enter = input.presses(PanelKey::Target::Export, Key::Enter) > 0;
+  if (replaces) text_in(palette::warning, "A file with this name exists");
+  if (enter && has_focused_item()) press_focused_item();
+  if (enter && !has_focused_item() && replaces) ImGui::SetKeyboardFocusHere();
   ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
-  const bool clicked = ImGui::Button("Export", {units(96.0), units(30.0)});
+  const bool clicked = ImGui::Button(replaces ? "Replace" : "Export", {units(96.0), units(30.0)});
   ImGui::PopStyleColor();
-  if (clicked || input.presses(PanelKey::Target::Export, Key::Enter) > 0) requests.emplace_back(StartExport{});
+  if (clicked || (enter && !replaces && !has_focused_item())) requests.emplace_back(StartExport{});
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {units(96.0), units(30.0)})) export_state.is_shown = false;
 }
@@ -91,11 +119,13 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Export");
   ImGui::PopFont();
+  begin_tab_stops();
   ImGui::BeginDisabled(input.export_work.is_running);
   kinds(export_state, input.status.snapshot->system->dimensions == 2);
   ImGui::Dummy({0.0f, units(2.0)});
   paragraph(export_kinds()[export_state.kind].description, palette::dim);
   over_time(export_state, panels);
+  picture_rows(export_state, input, panels);
   dim_text("Path");
   if (export_state.is_new) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1.0f);
@@ -104,6 +134,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   export_state.is_new = false;
   ImGui::Dummy({0.0f, units(4.0)});
   buttons(input, export_state, requests);
+  end_tab_stops();
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);

@@ -12,8 +12,9 @@
 namespace hooke {
 namespace {
 
-// The range of typed values: far beyond the sliders, but still computable. [kg], [m], [N/m], [N s/m]
-constexpr double min_mass = 1e-9, max_mass = 1e9, max_length = 1e6, max_stiffness = 1e12, max_damping = 1e9, max_strain = 1e6;
+// The range of typed values: far beyond the sliders, but still computable. [kg], [m], [N/m], [N s/m], [1], [m/s]
+constexpr double min_mass = 1e-9, max_mass = 1e9, max_length = 1e6, max_stiffness = 1e12, max_damping = 1e9, max_strain = 1e6,
+                 max_speed = 1e6;
 
 void edit(Command command, Panels& panels, Requests& requests) { requests.emplace_back(Edit{std::move(command), panels.edit_in_progress}); }
 
@@ -55,6 +56,28 @@ void place_row(const char* label, int axis, const Inspected& inspected, Panels& 
     }
     edit(std::move(move), panels, requests);
   }
+}
+
+// Of the free points among the selected ones.
+void velocity_row(const char* label, int axis, const Inspected& inspected, Panels& panels, Requests& requests) {
+  const State& state = inspected.snapshot.state;
+  std::vector<Index> free;
+  std::ranges::copy_if(inspected.parts.points, std::back_inserter(free), [&](Index i) { return !inspected.point(i).nailed; });
+  const auto now = common(free, [&](Index i) { return state.velocity[i][axis]; });
+  const TypedField field{
+      .label = label, .unit = "m/s", .description = "Alt+drag from a point in the scene sets it too.", .min = -max_speed, .max = max_speed};
+  // kept where all are nailed, so that rows stay in place
+  ImGui::BeginDisabled(free.empty());
+  const auto value = typed_row(field_of(field, now), panels);
+  ImGui::EndDisabled();
+  if (!value || free.empty()) return;
+  SetVelocity set;
+  for (const Index i : free) {
+    Vec3 velocity = state.velocity[i];
+    velocity[axis] = *value;
+    set.values.emplace_back(inspected.point(i).id, velocity);
+  }
+  edit(std::move(set), panels, requests);
 }
 
 void nailed_row(const Inspected& inspected, Panels& panels, Requests& requests) {
@@ -105,6 +128,12 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
     place_row(names[axis], axis, inspected, panels, requests);
     ImGui::PopID();
   }
+  const char* velocities[] = {"Velocity x", "Velocity y", "Velocity z"};
+  for (int axis = 0; axis < inspected.snapshot.system->dimensions; ++axis) {
+    ImGui::PushID(velocities[axis]);
+    velocity_row(velocities[axis], axis, inspected, panels, requests);
+    ImGui::PopID();
+  }
   ImGui::PushID("mass");
   point_row({.label = "Mass", .unit = "kg", .description = "Mass of each selected point.", .min = min_mass, .max = max_mass},
             PointProperty::Mass, inspected.parts.mass, inspected, panels, requests);
@@ -124,11 +153,12 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
 
 // The current length of a single spring.
 void length_line(const Inspected& inspected) {
-  const Spring& spring = inspected.spring(inspected.parts.springs[0]);
+  const Spring spring = inspected.spring(inspected.parts.springs[0]);
   const double length = glm::distance(inspected.snapshot.position(spring.first), inspected.snapshot.position(spring.second));
   begin_row("Current length");
   std::string text = quantity_text(length, "m");
-  if (spring.rest_length > 0.0) text += ", strain " + number_text(100.0 * (length / spring.rest_length - 1.0)) + " %";
+  const double rest_length = inspected.snapshot.system->rest_length_of(spring, inspected.snapshot.state.time);
+  if (rest_length > 0.0) text += ", strain " + number_text(100.0 * (length / rest_length - 1.0)) + " %";
   ImGui::TextUnformatted(text.c_str());
 }
 
@@ -186,6 +216,7 @@ void build_inspector(const PanelInput& input, Panels& panels, Requests& requests
   if (!section("Selection", what)) return;
   if (points > 0) point_rows(inspected, panels, requests);
   if (springs > 0) spring_rows(inspected, panels, requests);
+  if (springs > 0) build_spring_law(input, inspected.parts.springs, panels, requests);
   if (springs > 0) build_stretch(input, requests);
 }
 

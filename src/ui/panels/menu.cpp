@@ -1,4 +1,6 @@
 // The menu bar: menus, run buttons, undo and redo, the clock.
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -57,8 +59,10 @@ bool sections(Menu menu, int first, int last, const PanelInput& input, Requests&
 }
 constexpr int last_section = 9;
 
-void recent_menu(const PanelInput& input, Requests& requests) {
-  if (!ImGui::BeginMenu("Open recent", !input.recent.empty())) return;
+void recent_menu(const PanelInput& input, Panels& panels, Requests& requests) {
+  const bool is_open = ImGui::BeginMenu("Open recent", !input.recent.empty());
+  panels.menus.on_submenu = ImGui::IsItemFocused();
+  if (!is_open) return;
   for (const std::filesystem::path& file : input.recent) {
     ImGui::PushID(file.c_str());
     if (ImGui::MenuItem(printable(file.filename().native(), 40).c_str())) requests.emplace_back(OpenFile{file});
@@ -68,9 +72,9 @@ void recent_menu(const PanelInput& input, Requests& requests) {
   ImGui::EndMenu();
 }
 
-void file_menu(const PanelInput& input, Panels&, Requests& requests) {
+void file_menu(const PanelInput& input, Panels& panels, Requests& requests) {
   sections(Menu::File, 1, 1, input, requests);
-  recent_menu(input, requests);
+  recent_menu(input, panels, requests);
   ImGui::Separator();
   sections(Menu::File, 2, last_section, input, requests);
 }
@@ -152,7 +156,12 @@ void view_menu(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::MenuItem("Springs", nullptr, &panels.view.springs);
   ImGui::MenuItem("Surface", nullptr, &panels.view.surface);
   ImGui::MenuItem("Strain colors", nullptr, &panels.view.strain_colors);
+  ImGui::MenuItem("Springs as coils", nullptr, &panels.view.coils);
   ImGui::MenuItem("Shadows", nullptr, &panels.view.shadows);
+  ImGui::Separator();
+  ImGui::MenuItem("Velocity arrows", nullptr, &panels.view.velocities);
+  ImGui::MenuItem("Force arrows", nullptr, &panels.view.forces);
+  ImGui::MenuItem("Point numbers", nullptr, &panels.view.point_numbers);
   ImGui::Separator();
   ImGui::MenuItem("Colliders", nullptr, &panels.view.colliders);
   ImGui::MenuItem("Grid", nullptr, &panels.view.grid);
@@ -171,8 +180,21 @@ struct MenuRow {
 constexpr MenuRow menus[] = {{"File", file_menu}, {"Scenes", scenes_menu}, {"Edit", edit_menu},
                              {"Add", add_menu},   {"Run", run_menu},       {"View", view_menu}};
 
+// F10 opens the first menu; Left and Right go to the next one, Enter presses the item that has the focus.
+const MenuRow* menu_of_keys(const PanelInput& input, Panels& panels) {
+  if (std::exchange(panels.menus.opens_first, false)) return menus;
+  if (!panels.menus.is_open) return nullptr;
+  if (input.presses(PanelKey::Target::Menu, Key::Enter) > 0 && has_focused_item()) press_focused_item();
+  const int turn = input.presses(PanelKey::Target::Menu, Key::Right) - input.presses(PanelKey::Target::Menu, Key::Left);
+  if (turn == 0 || panels.menus.on_submenu || ImGui::GetCurrentContext()->OpenPopupStack.Size != 1) return nullptr;
+  const auto open = std::ranges::find_if(menus, [](const MenuRow& menu) { return ImGui::IsPopupOpen(menu.name); });
+  if (open == std::end(menus)) return nullptr;
+  const auto count = std::ssize(menus);
+  return &menus[((open - menus + turn) % count + count) % count];
+}
+
 // A flat button at x that opens the menu below it. Returns its width.
-float build_one(const MenuRow& menu, float x, const PanelInput& input, Panels& panels, Requests& requests) {
+float build_one(const MenuRow& menu, float x, bool opens, const PanelInput& input, Panels& panels, Requests& requests) {
   const Rect& bar = input.layout.menu;
   const float width = ImGui::CalcTextSize(menu.name).x + units(18.0);
   ImGui::SetCursorScreenPos({x, static_cast<float>(bar.y) + units(5.0)});
@@ -184,11 +206,12 @@ float build_one(const MenuRow& menu, float x, const PanelInput& input, Panels& p
   // moving along the bar opens the next menu, as in other menu bars
   const bool sliding = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId) && panels.dialog.kind == Dialog::Kind::None &&
                        ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
-  if (clicked || (sliding && !is_open)) ImGui::OpenPopup(menu.name);
+  if (clicked || opens || (sliding && !is_open)) ImGui::OpenPopup(menu.name);
 
   ImGui::SetNextWindowPos({x, static_cast<float>(bar.y + bar.height)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(10.0), units(7.0)});
   if (ImGui::BeginPopup(menu.name, ImGuiWindowFlags_NoMove)) {
+    if (opens) ImGui::SetKeyboardFocusHere();
     menu.build(input, panels, requests);
     close_on_escape(input, panels);
     ImGui::EndPopup();
@@ -260,9 +283,10 @@ void build_menu(const PanelInput& input, Panels& panels, Requests& requests) {
                                       {static_cast<float>(input.layout.menu.width), static_cast<float>(input.layout.menu.height) - 1.0f},
                                       palette::line);
 
-  panels.menu_is_open = false;
+  const MenuRow* opened = menu_of_keys(input, panels);
+  panels.menus.is_open = panels.menus.on_submenu = false;
   float x = units(8.0);
-  for (const MenuRow& menu : menus) x += build_one(menu, x, input, panels, requests) + units(2.0);
+  for (const MenuRow& menu : menus) x += build_one(menu, x, opened == &menu, input, panels, requests) + units(2.0);
   clock(input, run_buttons(input, x, requests));
   ImGui::End();
 }

@@ -9,8 +9,8 @@ namespace hooke {
 
 // Within an open popup: it takes Esc, which closes it.
 inline void close_on_escape(const PanelInput& input, Panels& panels) {
-  panels.menu_is_open = input.presses(PanelKey::Target::Menu, Key::Escape) == 0;
-  if (!panels.menu_is_open) ImGui::CloseCurrentPopup();
+  panels.menus.is_open = input.presses(PanelKey::Target::Menu, Key::Escape) == 0;
+  if (!panels.menus.is_open) ImGui::CloseCurrentPopup();
 }
 
 }  // namespace hooke

@@ -6,9 +6,13 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/round_number.h"
+#include "draw/colors.h"
 #include "scene/parameters.h"
 #include "sim/methods/integrator.h"
 #include "ui/panels.h"
@@ -72,8 +76,8 @@ void hint_out_of_view(const PanelInput& input, ImDrawList& list) {
 
 // The length of the spring that is being attached, beside its middle.
 void live_length(const PanelInput& input, ImDrawList& list) {
-  if (!input.new_spring) return;
-  const auto& [from, to] = *input.new_spring;
+  if (input.marks == nullptr || !input.marks->ghost_spring || input.tool == Action::DragTool) return;
+  const auto& [from, to] = *input.marks->ghost_spring;
   const Rect& scene = input.layout.scene;
   const Vec3 middle = input.camera.project(0.5 * (from + to), {scene.width, scene.height});
   const std::string text = quantity_text(glm::distance(from, to), "m");
@@ -90,8 +94,7 @@ void scale_bar(const PanelInput& input, ImDrawList& list) {
   const Rect& scene = input.layout.scene;
   if (!input.camera.orthographic || scene.width < 3.0 * units(longest) || scene.height < units(120.0)) return;
   const double meters = input.camera.meters_per_pixel(input.camera.target, {scene.width, scene.height});
-  const double room = units(longest) * meters, decade = std::pow(10.0, std::floor(std::log10(room)));
-  const double length = decade * (room >= 5.0 * decade ? 5.0 : room >= 2.0 * decade ? 2.0 : 1.0);
+  const double length = round_below(units(longest) * meters);
   const auto width = static_cast<float>(length / meters);
   const ImVec2 end = place(scene, scene.width - units(18.0), scene.height - units(16.0)), begin{end.x - width, end.y};
   const float tick = units(4.0);
@@ -101,6 +104,47 @@ void scale_bar(const PanelInput& input, ImDrawList& list) {
   const std::string text = quantity_text(length, "m");
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   list.AddText({0.5f * (begin.x + end.x - size.x), end.y - units(3.0) - size.y}, palette::dim, text.c_str());
+  ImGui::PopFont();
+}
+
+// What a length of the arrows means, at the bottom left.
+void arrow_scales(const PanelInput& input, const Panels& panels, ImDrawList& list) {
+  if (input.marks == nullptr) return;
+  const Rect& scene = input.layout.scene;
+  const double meters = input.camera.meters_per_pixel(input.camera.target, {scene.width, scene.height});
+  const Palette colors = palette_for(background_of(panels.look));
+  float y = static_cast<float>(scene.y + scene.height) - units(16.0);
+  std::optional<Arrows::Kind> last;
+  for (const Arrows& arrows : input.marks->arrows) {
+    if (arrows.kind == std::exchange(last, arrows.kind)) continue;
+    const bool is_force = arrows.kind == Arrows::Kind::Force;
+    const double value = round_below(units(90.0) * meters / arrows.scale);
+    const auto length = static_cast<float>(value * arrows.scale / meters);
+    const float x = static_cast<float>(scene.x) + units(16.0), head = units(6.0);
+    const ImU32 color = to_imgui(is_force ? colors.force : colors.velocity);
+    list.AddLine({x, y}, {x + length, y}, color, units(2.0));
+    list.AddTriangleFilled({x + length, y}, {x + length - head, y - 0.6f * head}, {x + length - head, y + 0.6f * head}, color);
+    const std::string text = (is_force ? "force " : "velocity ") + quantity_text(value, is_force ? "N" : "m/s");
+    list.AddText({x + length + units(8.0), y - 0.55f * ImGui::GetFontSize()}, palette::text, text.c_str());
+    y -= units(20.0);
+  }
+}
+
+// Of the points, as files and plots have them; in a large scene only of the selected ones.
+void point_numbers(const PanelInput& input, const Panels& panels, ImDrawList& list) {
+  if (!panels.view.point_numbers) return;
+  constexpr Index max_numbers = 500;
+  const System& system = *input.status.snapshot->system;
+  const Rect& scene = input.layout.scene;
+  const glm::dvec2 size(scene.width, scene.height);
+  ImGui::PushFont(fonts().small);
+  for (Index i = 0; i < system.point_count(); ++i) {
+    if (system.point_count() > max_numbers && !input.selection.contains(system.points()[i].id)) continue;
+    const Vec3 at = input.camera.project(input.status.snapshot->state.position[i], size);
+    if (!(at.z >= 0.0 && at.z <= 1.0)) continue;
+    const double ball = system.points()[i].radius / input.camera.meters_per_pixel(input.status.snapshot->state.position[i], size);
+    list.AddText(place(scene, at.x + 0.7 * ball + units(3.0), at.y - 0.7 * ball - units(15.0)), palette::text, std::to_string(i).c_str());
+  }
   ImGui::PopFont();
 }
 
@@ -327,6 +371,8 @@ void build_overlays(const PanelInput& input, Panels& panels, Requests& requests)
   hint_of_empty_scene(input, panels, list);
   hint_out_of_view(input, list);
   scale_bar(input, list);
+  arrow_scales(input, panels, list);
+  point_numbers(input, panels, list);
   live_length(input, list);
   rubber_band(input, list);
   stroke(input, list);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ui/panels.h"
 #include "ui/panels/open_list.h"
@@ -42,8 +43,8 @@ struct Span {
 
 Span shown_span(const TraceTable& table, const Panels& panels) {
   const double newest = table.times.back(), oldest = table.times.front();
-  const double length = std::max(1e-9, std::min(panels.plot_seconds, std::max(newest - oldest, 1e-9)));
-  const double last = std::clamp(panels.plot_end.value_or(newest), oldest + length, newest);
+  const double length = std::max(1e-9, std::min(panels.plots.seconds, std::max(newest - oldest, 1e-9)));
+  const double last = std::clamp(panels.plots.end.value_or(newest), oldest + length, newest);
   const auto from = std::ranges::lower_bound(table.times, last - length), to = std::ranges::upper_bound(table.times, last);
   const auto begin = static_cast<std::size_t>(from - table.times.begin()), end = static_cast<std::size_t>(to - table.times.begin());
   return {last - length, last, begin > 0 ? begin - 1 : 0, std::min(end + 1, table.times.size())};
@@ -112,28 +113,61 @@ double time_under_mouse(const PlotAxis& x_axis, ImVec2 min, ImVec2 max) {
   return x_axis.min + (ImGui::GetIO().MousePos.x - min.x) / (max.x - min.x) * (x_axis.max - x_axis.min);
 }
 
+std::size_t sample_at(const TraceTable& table, double time) {
+  const auto after = std::ranges::lower_bound(table.times, time);
+  return std::min(static_cast<std::size_t>(after - table.times.begin()), table.times.size() - 1);
+}
+
 // The values of all traces at a time.
 void show_readout(const TraceTable& table, const Plot& plot, double time) {
-  const auto after = std::ranges::lower_bound(table.times, time);
-  const std::size_t i = std::min(static_cast<std::size_t>(after - table.times.begin()), table.times.size() - 1);
+  const std::size_t i = sample_at(table, time);
   std::string text = "t = " + quantity_text(table.times[i], "s");
   for (const auto& [trace, text_color] : plot.lines)
     text += "\n" + trace->quantity.name() + " = " + quantity_text(trace->values[i], plot.unit);
   ImGui::SetTooltip("%s", text.c_str());
 }
 
-// The wheel zooms the time axis, a drag moves it, and a click goes to the time under the mouse.
+// A, then B; then both are removed.
+void set_cursor(double time, PlotView& plots) {
+  auto& [a, b] = plots.cursors;
+  if (a && b)
+    a = b = std::nullopt;
+  else
+    (a ? b : a) = time;
+}
+
+// Between the cursors: their distance as a period and a frequency, and the differences of the values.
+void draw_difference(ImDrawList& list, const TraceTable& table, const Plot& plot, const PlotView& plots, ImVec2 min, ImVec2 max) {
+  const auto& [a, b] = plots.cursors;
+  if (!a || !b || *a == *b) return;
+  std::string text = "B - A = " + quantity_text(*b - *a, "s") + "  (" + quantity_text(1.0 / std::abs(*b - *a), "Hz") + ")";
+  for (const auto& [trace, color] : plot.lines)
+    text += "\n" + trace->quantity.name() + ": " +
+            quantity_text(trace->values[sample_at(table, *b)] - trace->values[sample_at(table, *a)], plot.unit);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at{max.x - size.x - units(8.0), std::max(min.y, max.y - size.y - units(6.0))};
+  list.AddRectFilled({at.x - units(5.0), at.y - units(3.0)}, {at.x + size.x + units(5.0), at.y + size.y + units(3.0)}, palette::shade,
+                     units(4.0));
+  list.AddText(at, palette::text, text.c_str());
+}
+
+// The wheel zooms the time axis, a drag moves it, a click goes to the time under the mouse, and with Shift it sets a cursor.
 void handle_mouse(const TraceTable& table, const Span& span, double time, float width, Panels& panels, Requests& requests) {
   const ImGuiIO& io = ImGui::GetIO();
   const double length = span.last - span.first;
-  if (ImGui::IsItemHovered() && io.MouseWheel != 0.0f) panels.plot_seconds = std::clamp(length * std::pow(0.8, io.MouseWheel), 1e-3, 1e9);
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0.0f) panels.plots.seconds = std::clamp(length * std::pow(0.8, io.MouseWheel), 1e-3, 1e9);
   constexpr double drag = 4.0;  // [design units]
-  if (ImGui::IsItemActivated()) panels.plot_is_dragged = false;
-  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, units(drag))) panels.plot_is_dragged = true;
-  if (ImGui::IsItemDeactivated() && !panels.plot_is_dragged) requests.emplace_back(Scrub{time});
-  if (!ImGui::IsItemActive() || !panels.plot_is_dragged || io.MouseDelta.x == 0.0f) return;
+  if (ImGui::IsItemActivated()) panels.plots.is_dragged = false;
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, units(drag))) panels.plots.is_dragged = true;
+  if (ImGui::IsItemDeactivated() && !panels.plots.is_dragged) {
+    if (io.KeyShift)
+      set_cursor(time, panels.plots);
+    else
+      requests.emplace_back(Scrub{time});
+  }
+  if (!ImGui::IsItemActive() || !panels.plots.is_dragged || io.MouseDelta.x == 0.0f) return;
   const double end = span.last - io.MouseDelta.x / width * length;
-  panels.plot_end = end < table.times.back() ? std::optional(end) : std::nullopt;
+  panels.plots.end = end < table.times.back() ? std::optional(end) : std::nullopt;
 }
 
 // [design units]: height of a line of names, their distance from their lines and from the next name
@@ -207,6 +241,9 @@ void draw_plot(const PanelInput& input, const Plot& plot, const Rect& place, int
   list.PopClipRect();
   draw_cursor(list, x_axis, input.status.snapshot->state.time, min, max, palette::text);
   if (panels.time_under_mouse) draw_cursor(list, x_axis, *panels.time_under_mouse, min, max, palette::dim);
+  for (const auto& cursor : panels.plots.cursors)
+    if (cursor) draw_cursor(list, x_axis, *cursor, min, max, palette::accent);
+  draw_difference(list, table, plot, panels.plots, min, max);
 
   // the unit above the axis
   const float names_y = static_cast<float>(place.y) + units(6.0);
@@ -228,38 +265,52 @@ void draw_plot(const PanelInput& input, const Plot& plot, const Rect& place, int
 void choice(const std::string& name, const PanelInput& input, Requests& requests) {
   const System& system = *input.status.snapshot->system;
   const auto quantity = find_quantity(name, system.point_count(), system.spring_count());
-  if (!quantity) return;
-  std::vector<Quantity> watched;
+  const bool is_out_of_plane = name.starts_with("z") || name.starts_with("vz") || name == "momentum_z" || name == "center_z" ||
+                               name == "angular_x" || name == "angular_y";
+  if (!quantity || (system.dimensions == 2 && is_out_of_plane)) return;
+  SetPlots set;
   bool is_watched = false;
   for (const Trace& trace : input.status.timeline.traces->traces) {
     const bool is_same = trace.quantity.name() == name;
     is_watched = is_watched || is_same;
-    if (!is_same) watched.push_back(trace.quantity);
+    if (!is_same) set.plots.push_back(trace.quantity.name());
   }
-  if (!is_watched) watched.push_back(*quantity);
+  if (!is_watched) set.plots.push_back(name);
   const std::string text = std::string(quantity->row->description) + (quantity->row->of == QuantityRow::Of::Scene ? "" : ": " + name);
-  if (ImGui::MenuItem(text.c_str(), unit_text(quantity->row->unit).c_str(), is_watched))
-    requests.emplace_back(Control(Watch{std::move(watched)}));
+  if (ImGui::MenuItem(text.c_str(), unit_text(quantity->row->unit).c_str(), is_watched)) requests.emplace_back(Edit{std::move(set)});
 }
 
-// Quantities of the scene, and of the first selected point and spring.
+// A menu for each selected point or spring.
+template <class Id>
+void choices_of(const std::vector<Id>& ids, QuantityRow::Of of, const char* what, const PanelInput& input, Requests& requests) {
+  constexpr std::size_t max_menus = 12;
+  const System& system = *input.status.snapshot->system;
+  if (!ids.empty()) ImGui::Separator();
+  for (std::size_t i = 0; i < std::min(ids.size(), max_menus); ++i) {
+    const Index at = system.index_of(ids[i]);
+    if (at == no_index || !ImGui::BeginMenu((what + std::to_string(at)).c_str())) continue;
+    for (const QuantityRow& row : quantity_rows())
+      if (row.of == of) choice(std::string(row.name) + std::to_string(at), input, requests);
+    ImGui::EndMenu();
+  }
+  if (ids.size() > max_menus) dim_text("and " + std::to_string(ids.size() - max_menus) + " more: select fewer");
+}
+
+// Quantities of the scene, what is plotted of points and springs, and the selected ones.
 void choices(const PanelInput& input, Requests& requests) {
   for (const std::string_view name : of_the_scene) choice(std::string(name), input, requests);
   ImGui::Separator();
   for (const QuantityRow& row : quantity_rows())
     if (row.needs_accuracy) choice(std::string(row.name), input, requests);
-  const System& system = *input.status.snapshot->system;
-  const auto of_each = [&](const auto& ids, QuantityRow::Of of) {
-    if (ids.empty()) return;
-    const Index at = system.index_of(ids.front());
-    if (at == no_index) return;
-    ImGui::Separator();
-    for (const QuantityRow& row : quantity_rows())
-      if (row.of == of) choice(std::string(row.name) + std::to_string(at), input, requests);
-  };
-  of_each(input.selection.points, QuantityRow::Of::Point);
-  of_each(input.selection.springs, QuantityRow::Of::Spring);
-  if (!input.selection.has_parts()) dim_text("Select a point or a spring for more quantities");
+  bool is_first = true;
+  for (const Trace& trace : input.status.timeline.traces->traces) {
+    if (trace.quantity.row->of == QuantityRow::Of::Scene) continue;
+    if (std::exchange(is_first, false)) ImGui::Separator();
+    choice(trace.quantity.name(), input, requests);
+  }
+  choices_of(input.selection.points, QuantityRow::Of::Point, "Point ", input, requests);
+  choices_of(input.selection.springs, QuantityRow::Of::Spring, "Spring ", input, requests);
+  if (!input.selection.has_parts()) dim_text("Select points or springs for more quantities");
 }
 
 void buttons(const PanelInput& input, const Rect& place, Panels& panels, Requests& requests) {
@@ -273,16 +324,16 @@ void buttons(const PanelInput& input, const Rect& place, Panels& panels, Request
     return clicked;
   };
   if (button("Choose", "Choose what to plot")) ImGui::OpenPopup("choose");
-  const bool held = panels.plot_end.has_value();
+  const bool held = panels.plots.end.has_value();
   if (button(held ? "Follow" : "Hold", held ? "Follow the newest time" : "Keep the visible time span")) {
     if (held || input.status.timeline.traces->times.empty())
-      panels.plot_end.reset();
+      panels.plots.end.reset();
     else
-      panels.plot_end = input.status.timeline.traces->times.back();
+      panels.plots.end = input.status.timeline.traces->times.back();
   }
-  if (button("All", "Show the whole time span; the mouse wheel zooms")) {
-    panels.plot_seconds = 1e9;
-    panels.plot_end.reset();
+  if (button("All", "Show the whole time span. The mouse wheel zooms, Shift+click sets two cursors")) {
+    panels.plots.seconds = 1e9;
+    panels.plots.end.reset();
   }
   if (ImGui::BeginPopup("choose")) {
     choices(input, requests);
@@ -293,10 +344,11 @@ void buttons(const PanelInput& input, const Rect& place, Panels& panels, Request
 
 }  // namespace
 
-std::vector<Quantity> first_plots(const System& system) {
+std::vector<Quantity> plotted(const DocumentStatus& document, const System& system) {
+  static const std::vector<std::string> energies = {"kinetic", "elastic", "gravitational", "total"};
   std::vector<Quantity> quantities;
-  for (const char* name : {"kinetic", "elastic", "gravitational", "total"})
-    quantities.push_back(*find_quantity(name, system.point_count(), system.spring_count()));
+  for (const std::string& name : document.view.plots.empty() ? energies : document.view.plots)
+    if (const auto quantity = find_quantity(name, system.point_count(), system.spring_count())) quantities.push_back(*quantity);
   return quantities;
 }
 

@@ -8,6 +8,7 @@
 #include "ui/panels.h"
 #include "ui/strain_legend.h"
 #include "ui/text.h"
+#include "ui/typed_field.h"
 #include "ui/widgets.h"
 #include "ui/wrapped_text.h"
 
@@ -20,7 +21,26 @@ void scene_section(const PanelInput& input) {
   paragraph(printable(input.status.document->name.empty() ? "Untitled" : input.status.document->name));
   ImGui::PopFont();
   if (!input.status.document->description.empty()) paragraph(printable(input.status.document->description), palette::dim);
+  if (!input.status.document->notes.empty()) paragraph(printable(input.status.document->notes));
   dim_text(count(system.point_count(), "point") + ", " + count(system.spring_count(), "spring") + (system.dimensions == 2 ? ", flat" : ""));
+}
+
+// Fields for the texts of the scene, which are saved with it.
+void text_section(const PanelInput& input, Panels& panels, Requests& requests) {
+  if (!section("Title and notes", "", false)) return;
+  const DocumentStatus& document = *input.status.document;
+  SetText set{document.name, document.description, document.notes};
+  bool changed = false;
+  const auto field = [&](const char* label, std::string& text, float lines) {
+    dim_text(label);
+    ImGui::PushID(label);
+    changed = text_field(text, lines, panels) || changed;
+    ImGui::PopID();
+  };
+  field("Title", set.title, 0.0f);
+  field("Description", set.description, 4.0f);
+  field("Notes", set.notes, 5.0f);
+  if (changed) requests.emplace_back(Edit{std::move(set)});
 }
 
 void legend_section(const PanelInput& input, const Panels& panels) {
@@ -33,8 +53,8 @@ void legend_section(const PanelInput& input, const Panels& panels) {
 
 // What the highlighted parts are, in their color.
 void crossed_section(const PanelInput& input, const Panels& panels) {
-  if (input.crossed == nullptr) return;
-  for (const CrossedText& text : describe(*input.crossed, *input.status.snapshot->system))
+  if (input.marks == nullptr || !input.marks->crossed) return;
+  for (const CrossedText& text : describe(*input.marks->crossed, *input.status.snapshot->system))
     paragraph(text.count + ", as highlighted: " + text.consequence + ".", to_imgui(palette_for(background_of(panels.look)).crossed));
 }
 
@@ -81,6 +101,7 @@ void build_side(const PanelInput& input, Panels& panels, Requests& requests) {
   build_parameters(input, panels, requests);
   if (!is_about_forces) build_forces(input, panels, requests);
   if (section("Energy")) energy_section(input.status);
+  text_section(input, panels, requests);
   build_history(input, requests);
   ImGui::End();
 }

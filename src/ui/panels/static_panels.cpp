@@ -42,7 +42,7 @@ StaticPanels::StaticPanels(int width, int height, const ViewOptions& view, Shown
 StaticPanels::~StaticPanels() { ImGui::DestroyContext(); }
 
 const ImDrawData* StaticPanels::build(const Status& status, const Camera& camera, const std::filesystem::path& file,
-                                      const std::string& stamp, const CrossedParts* crossed) {
+                                      const std::string& stamp, const Marks* marks) {
   if (status.snapshot->system != forecast_.system)
     forecast_ = make_forecast(status.snapshot->system, status.snapshot->state, forecast_, std::atomic<bool>(false));
   const PanelInput input{.status = status,
@@ -54,7 +54,7 @@ const ImDrawData* StaticPanels::build(const Status& status, const Camera& camera
                          .file = file,
                          .camera = camera,
                          .forecast = &forecast_,
-                         .crossed = crossed};
+                         .marks = marks};
   for (int frame = 0; frame < frames_to_settle; ++frame) {
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
     ImGui::NewFrame();

@@ -24,10 +24,10 @@ class StaticPanels {
   StaticPanels& operator=(const StaticPanels&) = delete;
 
   const Layout& layout() const { return layout_; }
-  // The panels for this status and camera, and a line of text in a corner of the scene; what crosses in it, null: nothing. Valid until the
-  // next call.
+  // The panels for this status and camera, and a line of text in a corner of the scene; the marks in it, null: none. Valid until the next
+  // call.
   const ImDrawData* build(const Status& status, const Camera& camera, const std::filesystem::path& file, const std::string& stamp,
-                          const CrossedParts* crossed = nullptr);
+                          const Marks* marks = nullptr);
 
  private:
   Layout layout_;

@@ -29,8 +29,8 @@ std::vector<Figures> figures(const PanelInput& input) {
   const Status& status = input.status;
   char text[160];
   const std::string speed = speed_text(input);
-  std::snprintf(text, sizeof text, "simulate %.*f ms    ", status.run.simulate_ms < 1.0 ? 2 : 1, status.run.simulate_ms);
-  const std::string simulate = text;
+  const std::string simulate =
+      status.run.simulate_ms > 0.0 ? "simulate " + quantity_text(1e-3 * status.run.simulate_ms, "s", 2) + "    " : "";
   std::snprintf(text, sizeof text, "draw %.1f ms    %.0f frames/s    ", input.draw_ms, input.frames_per_second);
   // a picture without a window has none
   const std::string draw = input.frames_per_second > 0.0 ? text : "";

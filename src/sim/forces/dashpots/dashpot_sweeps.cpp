@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/forces/bands.h"
+#include "sim/forces/spring_laws.h"
 
 namespace hooke {
 
@@ -35,6 +36,7 @@ void DashpotSweeps::clear_halves() {
 }
 
 void DashpotSweeps::prepare(const Plan& plan, double duration) {
+  duration_ = duration;
   plan_dashpot_decay(plan, duration, decay_);
   if (known_runs_ == plan.spring.runs) return;
   clear_halves();
@@ -67,10 +69,10 @@ void DashpotSweeps::begin_step() {
   std::ranges::fill(work_, 0.0);
 }
 
-void DashpotSweeps::sweep(const Plan& plan, SweepDirection sweep, const Field& x, Field& v) {
-  if (!is_measured_) return apply(plan, sweep, x, v);
+void DashpotSweeps::sweep(const Plan& plan, SweepDirection sweep, double time, const Field& x, Field& v) {
+  if (!is_measured_) return apply(plan, sweep, time, x, v);
   std::ranges::copy(v, before_.begin());
-  apply(plan, sweep, x, v);
+  apply(plan, sweep, time, x, v);
   has_swept_ = true;
   for (int c = 0; c < plan.dimensions; ++c)
     for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at) {
@@ -80,9 +82,13 @@ void DashpotSweeps::sweep(const Plan& plan, SweepDirection sweep, const Field& x
     }
 }
 
-void DashpotSweeps::apply(const Plan& plan, SweepDirection sweep, const Field& x, Field& v) {
-  if (!halves_[0].empty()) return sweep_halves(plan, sweep, x, v);
-  decay_dashpots(plan, plan.spring.runs, decay_, sweep, x, v);
+void DashpotSweeps::apply(const Plan& plan, SweepDirection sweep, double time, const Field& x, Field& v) {
+  if (sweep == SweepDirection::Backward) sweep_law_dashpots(plan, sweep, duration_, time, x, v);
+  if (!halves_[0].empty())
+    sweep_halves(plan, sweep, x, v);
+  else
+    decay_dashpots(plan, plan.spring.runs, decay_, sweep, x, v);
+  if (sweep == SweepDirection::Forward) sweep_law_dashpots(plan, sweep, duration_, time, x, v);
 }
 
 }  // namespace hooke

@@ -14,8 +14,8 @@ class DashpotSweeps {
  public:
   // As plan_dashpot_decay.
   void prepare(const Plan& plan, double duration);
-  // As decay_dashpots with all runs.
-  void sweep(const Plan& plan, SweepDirection sweep, const Field& x, Field& v);
+  // As decay_dashpots with all runs, and springs with a law, of which those act that do at this time.
+  void sweep(const Plan& plan, SweepDirection sweep, double time, const Field& x, Field& v);
 
   // Whether sweeps are measured, over fields of this size.
   void measure(bool is_measured, std::size_t size);
@@ -27,11 +27,12 @@ class DashpotSweeps {
   const Field& work() const { return work_; }
 
  private:
-  void apply(const Plan& plan, SweepDirection sweep, const Field& x, Field& v);
+  void apply(const Plan& plan, SweepDirection sweep, double time, const Field& x, Field& v);
   void divide_springs(const Plan& plan);
   void clear_halves();
   void sweep_halves(const Plan& plan, SweepDirection sweep, const Field& x, Field& v) const;
 
+  double duration_ = 0.0;      // [s]
   std::vector<double> decay_;  // of the packed springs
   // Of a large net: springs between the points of the first half, between those of the second one, and from one to the other; empty: it is
   // swept as one.

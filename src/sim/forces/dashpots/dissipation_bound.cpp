@@ -20,7 +20,7 @@ bool has_damping(const System& system) {
 // Whether something but springs, gravity, drag and dashpots did work.
 bool is_supplied(const Plan& plan, const Motion& motion) {
   using enum EnergyCause;
-  if (plan.hand.held || plan.hand.pull || !plan.forces.empty() || !motion.breaks.empty()) return true;
+  if (plan.hand.held || plan.hand.pull || !plan.forces.empty() || !plan.spring.laws.empty() || !motion.breaks.empty()) return true;
   const auto acted = [&](EnergyCause cause) { return motion.energy[cause] != 0.0; };
   return std::ranges::any_of(std::array{Hand, Potentials, Forces, Colliders, Breaks, StrainLimit, Contact}, acted);
 }

@@ -30,7 +30,8 @@ double kinetic_energy(const System& system, const State& state) {
 
 double elastic_energy(const System& system, const State& state, const Spring& spring) {
   const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
-  const double extension = length - spring.rest_length;
+  const double extension = length - system.rest_length_of(spring, state.time);
+  if (spring.law) return response_of(*spring.law, system.stiffness_of(spring), extension).energy;
   return 0.5 * system.stiffness_of(spring) * extension * extension;
 }
 
@@ -47,7 +48,8 @@ Momentum compute_momentum(const System& system, const State& state) {
 
 double strain(const System& system, const State& state, const Spring& spring) {
   const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
-  return spring.rest_length > 0.0 ? length / spring.rest_length - 1.0 : length;
+  const double rest_length = system.rest_length_of(spring, state.time);
+  return rest_length > 0.0 ? length / rest_length - 1.0 : length;
 }
 
 bool can_collapse(const System& system, const State& state) {
@@ -55,7 +57,7 @@ bool can_collapse(const System& system, const State& state) {
     const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
     const Point &first = system.points()[i], &second = system.points()[j];
     const double inverse_mass = (first.nailed ? 0.0 : 1.0 / first.mass) + (second.nailed ? 0.0 : 1.0 / second.mass);
-    const double omega_squared = system.stiffness_of(spring) * inverse_mass;
+    const double omega_squared = system.stiffness_bound_of(spring) * inverse_mass;
     if (!(omega_squared > 0.0) || spring.rest_length == 0.0) return false;
     const double extension = glm::distance(state.position[i], state.position[j]) - spring.rest_length;
     const Vec3 velocity = (second.nailed ? Vec3(0.0) : state.velocity[j]) - (first.nailed ? Vec3(0.0) : state.velocity[i]);

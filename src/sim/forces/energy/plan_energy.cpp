@@ -5,11 +5,12 @@
 
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
+#include "sim/forces/spring_laws.h"
 
 namespace hooke {
 
-double stored_energy(const Plan& plan, const Field& x) {
-  double energy = 0.0;
+double stored_energy(const Plan& plan, double time, const Field& x) {
+  double energy = law_energy(plan, time, x);
   for (int c = 0; c < plan.dimensions; ++c)
     for (Index i = 0; i < plan.points; ++i)
       if (plan.inverse_mass[i] != 0.0) energy -= plan.mass[i] * plan.gravity[c] * x[static_cast<std::size_t>(c) * plan.points + i];
@@ -36,7 +37,7 @@ double kinetic_energy(const Plan& plan, const Field& v) {
 }
 
 double potential_energy(const Plan& plan, double time, const Field& x) {
-  double energy = stored_energy(plan, x);
+  double energy = stored_energy(plan, time, x);
   for (const Force& force : plan.forces)
     if (force.term->potential != nullptr) energy += force.term->potential(plan, force.values, time, x.data());
   return energy;
@@ -46,8 +47,8 @@ double mechanical_energy(const Plan& plan, double time, const Motion& motion) {
   return kinetic_energy(plan, motion.v) + potential_energy(plan, time, motion.x);
 }
 
-double dashpot_power(const Plan& plan, const Field& x, const Field& v) {
-  double power = 0.0;
+double dashpot_power(const Plan& plan, double time, const Field& x, const Field& v) {
+  double power = law_dashpot_power(plan, time, x, v);
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const double damping = plan.spring.damping[run.begin + e];

@@ -5,15 +5,15 @@
 
 namespace hooke {
 
-// [J], of springs and gravity, at the positions x.
-double stored_energy(const Plan& plan, const Field& x);
+// [J], of springs and gravity, at this time and the positions x.
+double stored_energy(const Plan& plan, double time, const Field& x);
 // [J], of the free points.
 double kinetic_energy(const Plan& plan, const Field& v);
 // [J], of springs, gravity and the potentials of the listed forces at this time; and the same with the kinetic energy.
 double potential_energy(const Plan& plan, double time, const Field& x);
 double mechanical_energy(const Plan& plan, double time, const Motion& motion);
 // [W], that the dashpots dissipate.
-double dashpot_power(const Plan& plan, const Field& x, const Field& v);
+double dashpot_power(const Plan& plan, double time, const Field& x, const Field& v);
 
 // [J], the term of order h^2 by which the modified energy of velocity Verlet exceeds the energy, at the positions x and velocities v, for
 // forces that depend on positions alone:

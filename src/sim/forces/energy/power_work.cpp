@@ -7,6 +7,7 @@
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
+#include "sim/forces/spring_laws.h"
 #include "sim/model/portable_math.h"
 
 namespace hooke {
@@ -41,6 +42,7 @@ double power_of_forces(const Plan& plan, double time, const Field& x, const Fiel
 double rate_of(const Plan& plan, EnergyCause cause) {
   if (cause == EnergyCause::Drag) return plan.drag;
   if (cause == EnergyCause::Dashpots) return plan.spectrum.dashpot_rate;
+  if (cause == EnergyCause::Muscles) return 0.0;
   return plan.spectrum.force_rate + plan.spectrum.estimated_rate;
 }
 
@@ -76,7 +78,7 @@ double logarithmic_mean(double a, double b) {
   return std::abs(x) < 1e-4 ? a * (1.0 + 0.5 * x) : a * x / portable::log(b / a);
 }
 
-constexpr std::array by_power{EnergyCause::Forces, EnergyCause::Drag, EnergyCause::Dashpots};
+constexpr std::array by_power{EnergyCause::Forces, EnergyCause::Muscles, EnergyCause::Drag, EnergyCause::Dashpots};
 
 }  // namespace
 
@@ -88,6 +90,7 @@ void PowerWork::begin_frame(const Plan& plan, const Motion& motion, double veloc
   impulses_.replace_power = false;
   has_forces_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
   has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
+  has_muscles_ = plan.spring.laws.move;
   has_air_ = air_acceleration(plan) != Vec3(0.0);
   measures_drag_ = measures_damping && plan.drag > 0.0;
   measures_dashpots_ = measures_damping && plan.has_dashpots();
@@ -98,25 +101,27 @@ void PowerWork::begin_frame(const Plan& plan, const Motion& motion, double veloc
   if (!measures_dashpots_) return;
   free_x_.resize(motion.x.size());
   impulses_.length.resize(plan.spring.damping.size());
-  impulses_.change.resize(plan.spring.damping.size());
+  impulses_.impulse.resize(plan.spring.damping.size());
 }
 
-EnergyLedger PowerWork::damping_power(const Plan& plan, const Field& x, const Field& v) const {
+EnergyLedger PowerWork::power_of_springs(const Plan& plan, double time, const Field& x, const Field& v) const {
   EnergyLedger power;
   if (measures_drag_) power.add(EnergyCause::Drag, -2.0 * plan.drag * kinetic_energy(plan, v));
-  if (measures_dashpots_ && !sweeps_->has_swept() && !impulses_.replace_power) power.add(EnergyCause::Dashpots, -dashpot_power(plan, x, v));
+  if (measures_dashpots_ && !sweeps_->has_swept() && !impulses_.replace_power)
+    power.add(EnergyCause::Dashpots, -dashpot_power(plan, time, x, v));
+  if (has_muscles_) power.add(EnergyCause::Muscles, muscle_power(plan, time, x));
   return power;
 }
 
 EnergyLedger PowerWork::power(const Plan& plan, double time, const Field& x, const Field& v) const {
-  EnergyLedger power = damping_power(plan, x, v);
+  EnergyLedger power = power_of_springs(plan, time, x, v);
   power.add(EnergyCause::Forces, power_of_forces(plan, time, x, v));
   return power;
 }
 
 // Some methods know the power of the listed forces there.
 EnergyLedger PowerWork::power_at_end(const Plan& plan, const Motion& motion) const {
-  EnergyLedger power = damping_power(plan, motion.x, motion.v);
+  EnergyLedger power = power_of_springs(plan, motion.time, motion.x, motion.v);
   power.add(EnergyCause::Forces, motion.power ? *motion.power : power_of_forces(plan, motion.time, motion.x, motion.v));
   return power;
 }
@@ -144,7 +149,7 @@ EnergyLedger PowerWork::displacement_work(const Plan& plan, double h, const Fiel
 
 void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
   if (!has_power()) return;
-  const bool needs_path = measures_drag_ || measures_dashpots_;
+  const bool needs_path = has_muscles_ || measures_drag_ || measures_dashpots_;
   if (motion.power && !needs_path) return end_steps(plan, motion, h);
   const EnergyLedger start = power_;
   power_ = power_at_end(plan, motion);
@@ -173,7 +178,9 @@ void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
 // missing. Over the frame, because the energy of a method oscillates from substep to substep.
 void PowerWork::limit_to_missing(const Plan& plan, const Motion& motion, const EnergyLedger& unresolved) {
   double taken = 0.0, supplied = has_air_ ? air_work(plan, x_, motion.x) : 0.0;
-  for (const EnergyCause cause : by_power) (unresolved[cause] < 0.0 ? taken : supplied) += work_[cause];
+  // what muscles do is not part of the change below, at one time
+  for (const EnergyCause cause : by_power)
+    if (cause != EnergyCause::Muscles) (unresolved[cause] < 0.0 ? taken : supplied) += work_[cause];
   if (taken == 0.0) return;
   const double middle = 0.5 * (time_ + motion.time);
   const double change = kinetic_energy(plan, motion.v) - kinetic_energy(plan, v_) + potential_energy(plan, middle, motion.x) -
@@ -181,7 +188,7 @@ void PowerWork::limit_to_missing(const Plan& plan, const Motion& motion, const E
   const double possible = std::max(taken + carried_, std::min(0.0, change - supplied));
   carried_ += taken - possible;
   for (const EnergyCause cause : by_power)
-    if (unresolved[cause] < 0.0) work_[cause] *= possible / taken;
+    if (unresolved[cause] < 0.0 && cause != EnergyCause::Muscles) work_[cause] *= possible / taken;
 }
 
 void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
@@ -190,23 +197,24 @@ void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
   power_ = power_at_end(plan, motion);
   is_power_current_ = true;
   for (const EnergyCause cause : by_power) {
-    const bool is_resolved = cause == EnergyCause::Forces || rate_of(plan, cause) * h <= max_resolved_rate;
+    const bool is_resolved = cause == EnergyCause::Forces || cause == EnergyCause::Muscles || rate_of(plan, cause) * h <= max_resolved_rate;
     const double mean = is_resolved ? 0.5 * (start[cause] + power_[cause]) : logarithmic_mean(start[cause], power_[cause]);
     work_[cause] = h * mean;
   }
   if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
 }
 
-// The impulses -d (l1 - l0) that dashpots exert in the method's step, and their work at the mean of the speeds before and after it.
+// The impulses d (l1 - l0) that dashpots exert in the method's step, and their work at the mean of the speeds before and after it.
 void PowerWork::find_impulses(const Plan& plan, const Motion& motion) {
   impulses_.work = 0.0;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const auto [l0, w0] = separation(plan, {x_, v_}, run.first + e, run.second + e);
       const auto [l1, w1] = separation(plan, {motion.x, motion.v}, run.first + e, run.second + e);
-      impulses_.length[run.begin + e] = l1;
-      impulses_.change[run.begin + e] = l1 - l0;
-      impulses_.work -= 0.5 * plan.spring.damping[run.begin + e] * (l1 - l0) * (w0 + w1);
+      const Index s = run.begin + e;
+      impulses_.length[s] = l1;
+      impulses_.impulse[s] = response_of(plan, s, motion.time, l1).damping * (l1 - l0);
+      impulses_.work -= 0.5 * impulses_.impulse[s] * (w0 + w1);
     }
 }
 
@@ -215,9 +223,9 @@ double PowerWork::impulse_work_after(const Plan& plan, double h, const Field& en
   double work = 0.0;
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
-      const std::size_t s = run.begin + e;
+      const Index s = run.begin + e;
       const double length = separation(plan, {end, end}, run.first + e, run.second + e).length;
-      work -= plan.spring.damping[s] * impulses_.change[s] * (length - impulses_.length[s]) / h;
+      work -= impulses_.impulse[s] * (length - impulses_.length[s]) / h;
     }
   return impulses_.part_after_contact * work;
 }

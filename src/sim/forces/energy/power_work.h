@@ -34,7 +34,7 @@ class PowerWork {
 
  private:
   EnergyLedger power(const Plan& plan, double time, const Field& x, const Field& v) const;
-  EnergyLedger damping_power(const Plan& plan, const Field& x, const Field& v) const;
+  EnergyLedger power_of_springs(const Plan& plan, double time, const Field& x, const Field& v) const;
   EnergyLedger power_at_end(const Plan& plan, const Motion& motion) const;
   EnergyLedger displacement_work(const Plan& plan, double h, const Field& end);
   void add_potential_work(const Plan& plan, Motion& motion, double h);
@@ -42,7 +42,7 @@ class PowerWork {
   void find_impulses(const Plan& plan, const Motion& motion);
   double impulse_work_after(const Plan& plan, double h, const Field& end) const;
   double work_of_sweeps(const Plan& plan, double h, const Field& end) const;
-  bool has_power() const { return has_forces_ || measures_drag_ || measures_dashpots_; }
+  bool has_power() const { return has_forces_ || has_muscles_ || measures_drag_ || measures_dashpots_; }
 
   Field x_, v_;   // at the start of the substep
   Field free_x_;  // after the method's step, where dashpots were swept
@@ -55,13 +55,13 @@ class PowerWork {
   double carried_ = 0.0;  // [J], that damping forces of the frame have taken beyond what was missing
   // Dashpots where contact may move points: their impulses in the method's step.
   struct Impulses {
-    Field length, change;             // [m], per spring: at the end of the step, and since its start
+    Field length, impulse;            // [m], [N s], per spring, at the end of the step
     double work = 0.0;                // [J]
     double part_after_contact = 1.0;  // of them
     bool replace_power = false;       // contact has moved points in the last substep, and is likely to do so in this one
   };
   Impulses impulses_;
-  bool has_forces_ = false, has_potential_ = false, has_air_ = false;
+  bool has_forces_ = false, has_muscles_ = false, has_potential_ = false, has_air_ = false;
   bool measures_drag_ = false, measures_dashpots_ = false;
 };
 

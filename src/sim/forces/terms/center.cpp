@@ -1,6 +1,7 @@
 // a = s / r^p towards a center at distance r: p = 2 is an inverse-square law, p = -1 a spring. Inside the core, r < r0,
 //   a = s / r0^p (alpha u + beta u^3),  u = r / r0,  alpha = (p + 3) / 2,  beta = -(p + 1) / 2,
-// which continues value and slope at r0 and is smooth at the center. For p = -1 and p = -3 both laws are the same.
+// which continues value and slope at r0 and is smooth at the center. For p = -1 and p = -3 both laws are the same. A squared core, that of
+// XSpringies, has a = s / r0^p u^2.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -16,37 +17,43 @@ namespace hooke {
 namespace {
 
 constexpr ForceParameter numbers[] = {
-    {"x", "Center x", "m", -100.0, 100.0, 0.0}, {"y", "Center y", "m", -100.0, 100.0, 0.0},
-    {"z", "Center z", "m", -100.0, 100.0, 0.0}, {"strength", "Strength at 1 m", "m/s^2", -1000.0, 1000.0, 1.0},
-    {"power", "Exponent", "", -3.0, 4.0, 2.0},  {"core", "Core radius", "m", 1e-6, 10.0, 0.01},
+    {"x", "Center x", "m", -100.0, 100.0, 0.0},
+    {"y", "Center y", "m", -100.0, 100.0, 0.0},
+    {"z", "Center z", "m", -100.0, 100.0, 0.0},
+    {"strength", "Strength at 1 m", "m/s^2", -1000.0, 1000.0, 1.0},
+    {"power", "Exponent", "", -3.0, 4.0, 2.0},
+    {"core", "Core radius", "m", 1e-6, 10.0, 0.01},
+    {"squared_core", "Squared core", "", 0.0, 1.0, 0.0, true},
 };
 
 // The law in units of its strength: acceleration a(r), its slope a'(r), and the transverse stiffness a(r) / r.
 struct Law {
   double power, core;
+  bool is_squared;
 
-  double alpha() const { return 0.5 * (power + 3.0); }
+  // also the upper bound on the slope in the core, relative to a / r at its border
+  double alpha() const { return is_squared ? 2.0 : 0.5 * (power + 3.0); }
   double beta() const { return -0.5 * (power + 1.0); }
   double over_distance(double r) const {
     if (r >= core) return portable::pow(r, -power - 1.0);
     const double u = r / core;
-    return portable::pow(core, -power - 1.0) * (alpha() + beta() * u * u);
+    return portable::pow(core, -power - 1.0) * (is_squared ? u : alpha() + beta() * u * u);
   }
   double slope(double r) const {
     if (r >= core) return -power * portable::pow(r, -power - 1.0);
     const double u = r / core;
-    return portable::pow(core, -power - 1.0) * (alpha() + 3.0 * beta() * u * u);
+    return portable::pow(core, -power - 1.0) * (is_squared ? 2.0 * u : alpha() + 3.0 * beta() * u * u);
   }
   // the integral of a to r, from infinity if it is finite, else from the core radius
   double potential(double r) const {
     if (r >= core) return power_law_potential(power, core, r);
     const double u = r / core;
-    return power_law_potential(power, core, core) +
-           portable::pow(core, 1.0 - power) * (0.5 * alpha() * (u * u - 1.0) + 0.25 * beta() * (u * u * u * u - 1.0));
+    const double smooth = 0.5 * alpha() * (u * u - 1.0) + 0.25 * beta() * (u * u * u * u - 1.0);
+    return power_law_potential(power, core, core) + portable::pow(core, 1.0 - power) * (is_squared ? (u * u * u - 1.0) / 3.0 : smooth);
   }
 };
 
-Law law_of(const ForceValues& values) { return {values[4], values[5]}; }
+Law law_of(const ForceValues& values) { return {values[4], values[5], values[6] != 0.0}; }
 
 // Position of point i relative to the center.
 Vec3 offset_from(const Plan& plan, const ForceValues& values, const double* x, Index i) {

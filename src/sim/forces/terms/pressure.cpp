@@ -115,8 +115,8 @@ Rows rows_at_rest(const System& system, const EnclosurePlan& plan) {
       const EnclosureSide& side = plan.sides[s];
       if (is_flat) add_edge(side.points[0], side.points[1], 0.5);
       for (int c = 0; c < (is_flat ? 2 : 3); ++c) {
-        if (!is_flat) add_edge(side.points[(c + 1) % 3], side.points[(c + 2) % 3], side.median[c] / 6.0);
-        gradient[side.points[c]] += side.size / (is_flat ? 2.0 : 3.0);
+        if (!is_flat) add_edge(side.points[(c + 1) % 3], side.points[(c + 2) % 3], side.weight * side.median[c] / 6.0);
+        gradient[side.points[c]] += side.weight * side.size / (is_flat ? 2.0 : 3.0);
       }
     }
     // each point once

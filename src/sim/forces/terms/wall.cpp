@@ -25,16 +25,19 @@ constexpr ForceParameter numbers[] = {
 template <class Use>
 void for_each_distance(const Plan& plan, double time, const double* x, const Use& use) {
   const std::size_t n = plan.points;
-  for (std::size_t k = 0; k < plan.colliders.size(); ++k) {
-    const auto* plane = std::get_if<Plane>(&plan.colliders[k].shape);
-    if (plane == nullptr) continue;
-    const double height = glm::dot(plane->normal, plane->point + plan.offset_of(k, time));
+  const auto visit = [&](const Plane& plane, const Vec3& offset, double min_distance) {
+    const double height = glm::dot(plane.normal, plane.point + offset);
     for (std::size_t i = 0; i < n; ++i) {
       double distance = -height - plan.radius[i];
-      for (int c = 0; c < plan.dimensions; ++c) distance += plane->normal[c] * x[c * n + i];
-      use(plane->normal, static_cast<Index>(i), distance);
+      for (int c = 0; c < plan.dimensions; ++c) distance += plane.normal[c] * x[c * n + i];
+      if (distance >= min_distance) use(plane.normal, static_cast<Index>(i), distance);
     }
-  }
+  };
+  for (std::size_t k = 0; k < plan.colliders.size(); ++k)
+    if (const auto* plane = std::get_if<Plane>(&plan.colliders[k].shape))
+      visit(*plane, plan.offset_of(k, time), -std::numeric_limits<double>::infinity());
+  // not from behind
+  for (const Collider& wall : plan.one_way) visit(std::get<Plane>(wall.shape), Vec3(0.0), 0.0);
 }
 
 void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, double* f) {
@@ -140,8 +143,10 @@ constinit const ForceTerm wall_force{
     .add_tangent = add_tangent,
     .potential = potential,
     .power = nullptr,
-    .cost = [](const Plan& plan,
-               const ForceValues& values) { return cost_of_power_law(values[1], static_cast<double>(plan.colliders.size())); },
+    .cost =
+        [](const Plan& plan, const ForceValues& values) {
+          return cost_of_power_law(values[1], static_cast<double>(plan.colliders.size() + plan.one_way.size()));
+        },
     .passage = passage,
 };
 

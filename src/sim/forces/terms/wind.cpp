@@ -1,11 +1,12 @@
-// Air that moves past faces: f = A (a |u.n| (u.n) n + b |u_t| u_t), u the wind relative to the mean velocity of the face, n its normal, u_t
-// the tangential part of u; a third acts on each corner. In scenes without faces: A = pi r^2 and n along u, for each point. Gusts: the wind
-// speed varies by smooth noise from a seed, the same in every run.
+// Air that moves past faces and quads: f = A (a |u.n| (u.n) n + b |u_t| u_t), u the wind relative to the mean velocity of the corners, n
+// the normal, u_t the tangential part of u; an equal part acts on each corner. In scenes without faces: A = pi r^2 and n along u, for each
+// point. Gusts: the wind speed varies by smooth noise from a seed, the same in every run.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "sim/forces/constants.h"
@@ -62,32 +63,42 @@ struct Flow {
   Vec3 along;     // [m/s]
 };
 
-// For a face that is not degenerate: use(its corners, flow).
-template <class Use>
-void use_face(const Plan& plan, const std::array<Index, 3>& face, const Vec3& wind, const double* x, const double* v, const Use& use) {
-  const auto& [i, j, k] = face;
-  const Vec3 a = vector_at(plan, x, i), twice_area = glm::cross(vector_at(plan, x, j) - a, vector_at(plan, x, k) - a);
-  const double length = glm::length(twice_area);
-  if (length == 0.0) return;
-  const Vec3 normal = twice_area / length;
-  const Vec3 past = wind - (vector_at(plan, v, i) + vector_at(plan, v, j) + vector_at(plan, v, k)) / 3.0;
-  const double across = glm::dot(past, normal);
-  use(face, Flow{0.5 * length, normal, across, past - across * normal});
+std::span<const Index> corners_of(const Panel<Index>& panel) { return {panel.data(), panel[3] == no_index ? 3u : 4u}; }
+
+// Of a quad, the cross product of its diagonals: the sum of those of both halves, whatever the diagonal.
+Vec3 twice_area_of(const Plan& plan, const Panel<Index>& panel, const double* x) {
+  const Vec3 a = vector_at(plan, x, panel[0]), b = vector_at(plan, x, panel[1]), c = vector_at(plan, x, panel[2]);
+  return panel[3] == no_index ? glm::cross(b - a, c - a) : glm::cross(c - a, vector_at(plan, x, panel[3]) - b);
 }
 
-// A third of the force on a face. With N of twice its area, q = u.N / N.N and u_t = u - q N:
+Vec3 mean_velocity(const Plan& plan, const Panel<Index>& panel, const double* v) {
+  const Vec3 sum = vector_at(plan, v, panel[0]) + vector_at(plan, v, panel[1]) + vector_at(plan, v, panel[2]);
+  return panel[3] == no_index ? 1.0 / 3.0 * sum : 0.25 * (sum + vector_at(plan, v, panel[3]));
+}
+
+// For a panel that is not degenerate.
+template <class Use>
+void use_flow(const Plan& plan, const Panel<Index>& panel, const Vec3& wind, const double* x, const double* v, const Use& use) {
+  const Vec3 twice_area = twice_area_of(plan, panel, x);
+  const double length = glm::length(twice_area);
+  if (length == 0.0) return;
+  const Vec3 normal = twice_area / length, past = wind - mean_velocity(plan, panel, v);
+  const double across = glm::dot(past, normal);
+  use(Flow{0.5 * length, normal, across, past - across * normal});
+}
+
+// The force on each of the n corners. With N of twice the area, q = u.N / N.N and u_t = u - q N:
 //   A a |u.n| (u.n) n = a/2 |u.N| q N,  A b |u_t| u_t = b/2 sqrt(N.N u_t.u_t) u_t
 // with a division and a square root.
-Vec3 force_on_corner(const Plan& plan, const std::array<Index, 3>& face, const Wind& wind, const double* x, const double* v) {
-  const auto& [i, j, k] = face;
-  const Vec3 a = vector_at(plan, x, i), twice_area = glm::cross(vector_at(plan, x, j) - a, vector_at(plan, x, k) - a);
+Vec3 force_on_corner(const Plan& plan, const Panel<Index>& panel, const Wind& wind, const double* x, const double* v) {
+  const Vec3 twice_area = twice_area_of(plan, panel, x);
   const double square = glm::dot(twice_area, twice_area);
   if (square < min_square_of_area) return Vec3(0.0);
-  const Vec3 past = wind.velocity - 1.0 / 3.0 * (vector_at(plan, v, i) + vector_at(plan, v, j) + vector_at(plan, v, k));
-  const double flux = glm::dot(past, twice_area), across = flux / square;
+  const Vec3 past = wind.velocity - mean_velocity(plan, panel, v);
+  const double flux = glm::dot(past, twice_area), across = flux / square, twice_corners = panel[3] == no_index ? 6.0 : 8.0;
   const Vec3 along = past - across * twice_area;
-  const double of_normal = wind.normal / 6.0 * std::abs(flux) * across,
-               of_tangential = wind.tangential / 6.0 * std::sqrt(square * glm::dot(along, along));
+  const double of_normal = wind.normal / twice_corners * std::abs(flux) * across,
+               of_tangential = wind.tangential / twice_corners * std::sqrt(square * glm::dot(along, along));
   return of_normal * twice_area + of_tangential * along;
 }
 
@@ -96,27 +107,24 @@ constexpr double pi = 3.14159265358979323846;
 // For each point, in scenes without faces: a pi r^2.
 double point_coefficient(const Plan& plan, const ForceValues& values, Index i) { return values[3] * pi * plan.radius[i] * plan.radius[i]; }
 
-// In a fixed order: use_row(wind, row) for the rows of faces, use_face(face, force on each corner) for all others, or, in scenes without
+// In a fixed order: use_row(wind, row) for the rows of panels, use_panel(panel, force on each corner) for all others, or, in scenes without
 // faces, use_point(point, force).
-template <class UseRow, class UseFace, class UsePoint>
+template <class UseRow, class UsePanel, class UsePoint>
 void for_each_force(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, const UseRow& use_row,
-                    const UseFace& use_face, const UsePoint& use_point) {
+                    const UsePanel& use_panel, const UsePoint& use_point) {
   const Wind wind{wind_at(plan, values, time), values[3], values[4]};
-  const auto faces = static_cast<Index>(plan.force_data.faces.size());
-  const auto use_faces = [&](Index first, Index end) {
-    for (Index f = first; f < end; ++f) {
-      const std::array<Index, 3>& face = plan.force_data.faces[static_cast<std::size_t>(f)];
-      use_face(face, force_on_corner(plan, face, wind, x, v));
-    }
+  const std::vector<Panel<Index>>& panels = plan.force_data.panels;
+  const auto use_panels = [&](Index first, Index end) {
+    for (Index p = first; p < end; ++p) use_panel(panels[p], force_on_corner(plan, panels[p], wind, x, v));
   };
   Index next = 0;
-  for (const FaceRow& row : plan.force_data.face_rows) {
-    use_faces(next, row.first);
+  for (const PanelRow& row : plan.force_data.panel_rows) {
+    use_panels(next, row.first);
     use_row(wind, row);
-    next = row.first + 2 * row.cells;
+    next = row.first + row.cells;
   }
-  use_faces(next, faces);
-  if (faces > 0) return;
+  use_panels(next, static_cast<Index>(panels.size()));
+  if (!panels.empty()) return;
 
   for (Index i = 0; i < plan.points; ++i) {
     const Vec3 past = wind.velocity - vector_at(plan, v, i);
@@ -126,9 +134,9 @@ void for_each_force(const Plan& plan, const ForceValues& values, double time, co
 
 void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f) {
   for_each_force(
-      plan, values, time, x, v, [&](const Wind& wind, const FaceRow& row) { compute_wind_on_cells(plan, wind, row, x, v, f, nullptr); },
-      [&](const auto& face, const Vec3& force) {
-        for (const Index corner : face) add_to(plan, f, corner, force);
+      plan, values, time, x, v, [&](const Wind& wind, const PanelRow& row) { compute_wind_on_cells(plan, wind, row, x, v, f, nullptr); },
+      [&](const Panel<Index>& panel, const Vec3& force) {
+        for (const Index corner : corners_of(panel)) add_to(plan, f, corner, force);
       },
       [&](Index i, const Vec3& force) { add_to(plan, f, i, force); });
 }
@@ -137,8 +145,8 @@ void add(const Plan& plan, const ForceValues& values, double time, const double*
 double power_on_held(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v) {
   const Wind wind{wind_at(plan, values, time), values[3], values[4]};
   Vec3 sum{0.0};
-  for (const std::array<Index, 3>& face : plan.force_data.faces)
-    if (std::ranges::find(face, *plan.hand.held) != face.end()) sum += force_on_corner(plan, face, wind, x, v);
+  for (const Panel<Index>& panel : plan.force_data.panels)
+    if (std::ranges::find(panel, *plan.hand.held) != panel.end()) sum += force_on_corner(plan, panel, wind, x, v);
   return glm::dot(sum, vector_at(plan, v, *plan.hand.held));
 }
 
@@ -147,9 +155,9 @@ double add_with_power(const Plan& plan, const ForceValues& values, double time, 
   double sum = 0.0;
   CellPowers of_cells;
   for_each_force(
-      plan, values, time, x, v, [&](const Wind& wind, const FaceRow& row) { compute_wind_on_cells(plan, wind, row, x, v, f, &of_cells); },
-      [&](const auto& face, const Vec3& force) {
-        for (const Index corner : face) {
+      plan, values, time, x, v, [&](const Wind& wind, const PanelRow& row) { compute_wind_on_cells(plan, wind, row, x, v, f, &of_cells); },
+      [&](const Panel<Index>& panel, const Vec3& force) {
+        for (const Index corner : corners_of(panel)) {
           sum += glm::dot(force, vector_at(plan, v, corner));
           if (f != nullptr) add_to(plan, f, corner, force);
         }
@@ -213,17 +221,18 @@ ForceBound bound(const System& system, const Plan&, const ForceValues& values, d
   return bound;
 }
 
-// A face couples its corners: -df_i/dv_j = D / 9. Half the sum of a row on the diagonal, D / 6, is midway between the eigenvalues 0 and D /
-// 3 of the whole, so that iterations converge for any step.
+// A panel couples its n corners: -df_i/dv_j = D / n^2. Half the sum of a row on the diagonal, D / 2n, is midway between the eigenvalues 0
+// and D / n of the whole, so that iterations converge for any step.
 void add_tangent(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, ForceTangent& tangent) {
   const Vec3 wind = wind_at(plan, values, time);
-  for (const auto& each : plan.force_data.faces)
-    use_face(plan, each, wind, x, v, [&](const auto& corners, const Flow& flow) {
-      const double axial = 2.0 * values[3] * flow.area * std::abs(flow.across),
-                   transverse = 2.0 * values[4] * flow.area * glm::length(flow.along);
-      for (const Index corner : corners) tangent.add_damping(corner, flow.normal, axial / 6.0, transverse / 6.0);
+  for (const Panel<Index>& panel : plan.force_data.panels)
+    use_flow(plan, panel, wind, x, v, [&](const Flow& flow) {
+      const auto corners = corners_of(panel);
+      const double fraction = flow.area / static_cast<double>(corners.size()), axial = fraction * values[3] * std::abs(flow.across),
+                   transverse = fraction * values[4] * glm::length(flow.along);
+      for (const Index corner : corners) tangent.add_damping(corner, flow.normal, axial, transverse);
     });
-  if (!plan.force_data.faces.empty()) return;
+  if (!plan.force_data.panels.empty()) return;
 
   for (Index i = 0; i < plan.points; ++i) {
     const Vec3 past = wind - vector_at(plan, v, i);
@@ -233,8 +242,21 @@ void add_tangent(const Plan& plan, const ForceValues& values, double time, const
 }
 
 ForceCost cost(const Plan& plan, const ForceValues&) {
-  if (plan.force_data.faces.empty()) return {.evaluation = 1.5, .energy = 11.0};
+  if (plan.force_data.faces == 0) return {.evaluation = 1.5, .energy = 11.0};
   return {.evaluation = 5.0, .energy = 14.0, .of_faces = true};
+}
+
+void prepare(const System& system, Plan& plan) {
+  plan.force_data.panels.clear();
+  for (std::size_t f = 0; f < system.faces.size(); ++f) {
+    const bool is_quad = system.faces.is_quad(f);
+    const auto [a, b, c] = system.faces[f].points;
+    const Panel<PointId> corners = is_quad ? system.faces.quad(f) : Panel<PointId>{a, b, c};
+    Panel<Index>& panel = plan.force_data.panels.emplace_back();
+    for (std::size_t i = 0; i < corners.size(); ++i) panel[i] = i < 3 || is_quad ? system.index_of(corners[i]) : no_index;
+    if (is_quad) ++f;
+  }
+  plan.force_data.panel_rows = find_panel_rows(plan.force_data.panels);
 }
 
 }  // namespace
@@ -254,7 +276,7 @@ constinit const ForceTerm wind_force{
     .power = power,
     .add_with_power = add_with_power,
     .cost = cost,
-    .prepare = [](const System&, Plan& plan) { plan.force_data.face_rows = find_face_rows(plan.force_data.faces); },
+    .prepare = prepare,
 };
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// Compiled once for each vector unit by Highway, which picks one at run time; the same IEEE operations as face by face.
+// Compiled once for each vector unit by Highway, which picks one at run time; the same IEEE operations as panel by panel.
 #include "sim/forces/terms/wind_kernel.h"
 
 #include <algorithm>
@@ -50,22 +50,22 @@ HWY_INLINE Air<V> load_points(D d, const Plan& plan, const double* field, Index 
   return {hn::LoadU(d, field + i), hn::LoadU(d, field + n + i), plan.dimensions == 3 ? hn::LoadU(d, field + 2 * n + i) : hn::Zero(d)};
 }
 
-// The corners i, j, i+1, j+1 of the cells from `cell` on.
+// The corners i, j, j+1, i+1 of cells.
 template <class D, class V = hn::Vec<D>>
 struct CellCorners {
   Air<V> at[4];
   HWY_INLINE CellCorners(D d, const Plan& plan, const double* field, Index i, Index j)
-      : at{load_points(d, plan, field, i), load_points(d, plan, field, j), load_points(d, plan, field, i + 1),
-           load_points(d, plan, field, j + 1)} {}
+      : at{load_points(d, plan, field, i), load_points(d, plan, field, j), load_points(d, plan, field, j + 1),
+           load_points(d, plan, field, i + 1)} {}
 };
 
-// As force_on_corner in wind.cpp, but for the division of both coefficients by 6. v: the sum of the velocities of the corners.
+// As force_on_corner in wind.cpp, but for the division of both coefficients by 8. v: the sum of the velocities of the corners.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Air<V> force_on_corners(D d, const Wind& wind, const Air<V>& x0, const Air<V>& x1, const Air<V>& x2, const Air<V>& v) {
-  const Air<V> twice_area = cross_product(minus(x1, x0), minus(x2, x0));
+HWY_INLINE Air<V> force_on_corners(D d, const Wind& wind, const CellCorners<D>& x, const Air<V>& v) {
+  const Air<V> twice_area = cross_product(minus(x.at[2], x.at[0]), minus(x.at[3], x.at[1]));
   const V square = dot_product(twice_area, twice_area);
   const Air<V> velocity{hn::Set(d, wind.velocity.x), hn::Set(d, wind.velocity.y), hn::Set(d, wind.velocity.z)};
-  const Air<V> past = minus(velocity, scaled(hn::Set(d, 1.0 / 3.0), v));
+  const Air<V> past = minus(velocity, scaled(hn::Set(d, 0.25), v));
   const V flux = dot_product(past, twice_area), across = hn::Div(flux, square);
   const Air<V> along = minus(past, scaled(across, twice_area));
   const V of_normal = hn::Mul(hn::Mul(hn::Set(d, wind.normal), hn::Abs(flux)), across);
@@ -92,10 +92,10 @@ HWY_INLINE void for_cells(Index cells, const Use& use) {
   }
 }
 
-// The forces on each corner of both faces of the cells of a row, and their power at each cell.
+// The forces on each corner of the cells of a row, and their power at each cell.
 struct RowOfCells {
   static constexpr Index before = 8, stride = before + max_cells_at_once + before;
-  HWY_ALIGN double force[2][3][stride];
+  HWY_ALIGN double force[3][stride];
   HWY_ALIGN double power[max_cells_at_once];
 };
 
@@ -104,35 +104,29 @@ template <bool has_force, bool has_power>
 void compute_row(const Plan& plan, const Wind wind, Index i, Index j, Index cells, const double* x, const double* v, RowOfCells& row) {
   for_cells(cells, [&](auto d, Index cell) HWY_ATTR {
     const CellCorners<decltype(d)> x_of(d, plan, x, i + cell, j + cell), v_of(d, plan, v, i + cell, j + cell);
-    const auto v_first = plus(plus(v_of.at[0], v_of.at[1]), v_of.at[2]), v_second = plus(plus(v_of.at[2], v_of.at[1]), v_of.at[3]);
-    const auto first = force_on_corners(d, wind, x_of.at[0], x_of.at[1], x_of.at[2], v_first);
-    const auto second = force_on_corners(d, wind, x_of.at[2], x_of.at[1], x_of.at[3], v_second);
+    const auto sum = plus(plus(plus(v_of.at[0], v_of.at[1]), v_of.at[2]), v_of.at[3]);
+    const auto force = force_on_corners(d, wind, x_of, sum);
     if constexpr (has_force) {
       const Index at = RowOfCells::before + cell;
-      hn::StoreU(first.x, d, row.force[0][0] + at);
-      hn::StoreU(first.y, d, row.force[0][1] + at);
-      hn::StoreU(first.z, d, row.force[0][2] + at);
-      hn::StoreU(second.x, d, row.force[1][0] + at);
-      hn::StoreU(second.y, d, row.force[1][1] + at);
-      hn::StoreU(second.z, d, row.force[1][2] + at);
+      hn::StoreU(force.x, d, row.force[0] + at);
+      hn::StoreU(force.y, d, row.force[1] + at);
+      hn::StoreU(force.z, d, row.force[2] + at);
     }
-    if constexpr (has_power) hn::StoreU(hn::Add(dot_product(first, v_first), dot_product(second, v_second)), d, row.power + cell);
+    if constexpr (has_power) hn::StoreU(dot_product(force, sum), d, row.power + cell);
   });
 }
 
-// The point c of the upper row takes, in the order of the faces, both of the cell before it and the first of its own; that of the lower row
-// takes the second of the cell before it and both of its own.
+// Each point takes, in the order of the cells, that of the one before it and that of its own.
 void add_forces_of_row(const Plan& plan, Index i, Index j, Index cells, RowOfCells& row, double* f) {
   constexpr Index before = RowOfCells::before;
   for (int c = 0; c < plan.dimensions; ++c) {
-    for (auto& face : row.force) face[c][before - 1] = face[c][before + cells] = 0.0;
+    row.force[c][before - 1] = row.force[c][before + cells] = 0.0;
     const auto add_at = [&](auto d, Index cell) HWY_ATTR {
-      const auto load = [&](int face, Index at) HWY_ATTR { return hn::LoadU(d, row.force[face][c] + before + at); };
-      double* upper = f + static_cast<std::size_t>(c) * plan.points + i + cell;
-      double* lower = f + static_cast<std::size_t>(c) * plan.points + j + cell;
-      const auto first_before = load(0, cell - 1), second_before = load(1, cell - 1), first_own = load(0, cell);
-      hn::StoreU(hn::Add(hn::Add(hn::Add(hn::LoadU(d, upper), first_before), second_before), first_own), d, upper);
-      hn::StoreU(hn::Add(hn::Add(hn::Add(hn::LoadU(d, lower), second_before), first_own), load(1, cell)), d, lower);
+      const auto of_before = hn::LoadU(d, row.force[c] + before + cell - 1), own = hn::LoadU(d, row.force[c] + before + cell);
+      for (const Index row_start : {i, j}) {
+        double* at = f + static_cast<std::size_t>(c) * plan.points + row_start + cell;
+        hn::StoreU(hn::Add(hn::Add(hn::LoadU(d, at), of_before), own), d, at);
+      }
     };
     const hn::ScalableTag<double> wide;
     const hn::CappedTag<double, 1> single;
@@ -146,7 +140,7 @@ void add_forces_of_row(const Plan& plan, Index i, Index j, Index cells, RowOfCel
 void compute_on_cells(const Plan& plan, const Wind& air, Index i, Index j, Index cells, const double* x, const double* v, double* f,
                       double* power) {
   RowOfCells row;
-  const Wind wind{air.velocity, air.normal / 6.0, air.tangential / 6.0};
+  const Wind wind{air.velocity, air.normal / 8.0, air.tangential / 8.0};
   if (power == nullptr)
     compute_row<true, false>(plan, wind, i, j, cells, x, v, row);
   else
@@ -157,9 +151,9 @@ void compute_on_cells(const Plan& plan, const Wind& air, Index i, Index j, Index
     for (Index cell = 0; cell < cells; ++cell) power[cell] += row.power[cell];
 }
 
-// How many cells in a row have the first one's faces with all corners one larger in each than in the one before; up to `max`.
+// How many cells in a row have the first one's corners, all one larger in each than in the one before; up to `max`.
 Index count_same_cells(const Index* corners, Index max) {
-  constexpr Index corners_of_cell = 6;
+  constexpr Index corners_of_cell = 4;
   const hn::ScalableTag<Index> d;
   const Index lanes = static_cast<Index>(hn::Lanes(d)), end = corners_of_cell * (max - 1);
   const auto one = hn::Set(d, 1);
@@ -183,37 +177,36 @@ HWY_EXPORT(count_same_cells);
 
 namespace {
 
-// From the face `first` on; 0: another face, or too few cells.
-Index count_cells(const std::vector<std::array<Index, 3>>& faces, Index first) {
-  const auto end = static_cast<Index>(faces.size());
-  if (first + 2 * min_face_cells > end) return 0;
-  const std::array<Index, 3>* face = faces.data() + first;
-  const Index i = face[0][0], j = face[0][1];
+// From the panel `first` on; 0: another panel, or too few cells.
+Index count_cells(const std::vector<Panel<Index>>& panels, Index first) {
+  const auto end = static_cast<Index>(panels.size());
+  if (first + min_face_cells > end) return 0;
+  const Panel<Index>& panel = panels[first];
+  const auto [i, j, next_j, next_i] = panel;
   // the points of both rows are different ones
-  const Index max = std::min({max_cells_at_once, (end - first) / 2, std::max(i, j) - std::min(i, j) - 1});
-  const bool fits = face[0][2] == i + 1 && face[1][0] == i + 1 && face[1][1] == j && face[1][2] == j + 1;
-  if (!fits || max < min_face_cells) return 0;
-  const Index cells = HWY_DYNAMIC_DISPATCH(count_same_cells)(face->data(), max);
+  const Index max = std::min({max_cells_at_once, end - first, std::max(i, j) - std::min(i, j) - 1});
+  if (next_i != i + 1 || next_j != j + 1 || max < min_face_cells) return 0;
+  const Index cells = HWY_DYNAMIC_DISPATCH(count_same_cells)(panel.data(), max);
   return cells < min_face_cells ? 0 : cells;
 }
 
 }  // namespace
 
-std::vector<FaceRow> find_face_rows(const std::vector<std::array<Index, 3>>& faces) {
-  std::vector<FaceRow> rows;
-  for (Index first = 0; first < static_cast<Index>(faces.size());) {
-    const Index cells = count_cells(faces, first);
+std::vector<PanelRow> find_panel_rows(const std::vector<Panel<Index>>& panels) {
+  std::vector<PanelRow> rows;
+  for (Index first = 0; first < static_cast<Index>(panels.size());) {
+    const Index cells = count_cells(panels, first);
     if (cells > 0) rows.push_back({first, cells});
-    first += std::max(2 * cells, Index{1});
+    first += std::max(cells, Index{1});
   }
   return rows;
 }
 
-void compute_wind_on_cells(const Plan& plan, const Wind& wind, const FaceRow& row, const double* x, const double* v, double* f,
+void compute_wind_on_cells(const Plan& plan, const Wind& wind, const PanelRow& row, const double* x, const double* v, double* f,
                            CellPowers* power) {
-  const std::array<Index, 3>& face = plan.force_data.faces[static_cast<std::size_t>(row.first)];
+  const Panel<Index>& panel = plan.force_data.panels[row.first];
   HWY_DYNAMIC_DISPATCH(compute_on_cells)
-  (plan, wind, face[0], face[1], row.cells, x, v, f, power != nullptr ? power->of_cell.data() : nullptr);
+  (plan, wind, panel[0], panel[1], row.cells, x, v, f, power != nullptr ? power->of_cell.data() : nullptr);
 }
 
 }  // namespace hooke

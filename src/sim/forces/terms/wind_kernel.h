@@ -1,4 +1,4 @@
-// Moving air on rows of faces, by vectors.
+// Moving air on rows of quads, by vectors.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace hooke {
 
-// f = A (a |u.n| (u.n) n + b |u_t| u_t) on a face, as in wind.cpp.
+// f = A (a |u.n| (u.n) n + b |u_t| u_t) on a face or quad, as in wind.cpp.
 struct Wind {
   Vec3 velocity{0.0};                     // [m/s]
   double normal = 0.0, tangential = 0.0;  // [kg/m^3], a and b
@@ -23,7 +23,7 @@ inline constexpr double min_square_of_area = std::numeric_limits<double>::min();
 inline constexpr Index max_cells_at_once = 256;
 
 // Rows of at least as many cells as pay for vectors, and at most max_cells_at_once.
-std::vector<FaceRow> find_face_rows(const std::vector<std::array<Index, 3>>& faces);
+std::vector<PanelRow> find_panel_rows(const std::vector<Panel<Index>>& panels);
 
 // [W], on the cells at the same place of all rows: sums that do not depend on the width of vectors.
 struct CellPowers {
@@ -31,9 +31,9 @@ struct CellPowers {
   double sum() const { return std::accumulate(of_cell.begin(), of_cell.end(), 0.0); }
 };
 
-// Adds the forces [N] on the faces of these cells to their corners, to the same bits as face by face, unless `f` is null; and their powers
-// unless `power` is null.
-void compute_wind_on_cells(const Plan& plan, const Wind& wind, const FaceRow& row, const double* x, const double* v, double* f,
+// Adds the forces [N] on these cells to their corners, to the same bits as one by one, unless `f` is null; and their powers unless `power`
+// is null.
+void compute_wind_on_cells(const Plan& plan, const Wind& wind, const PanelRow& row, const double* x, const double* v, double* f,
                            CellPowers* power);
 
 }  // namespace hooke

@@ -17,6 +17,7 @@
 
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
+#include "sim/forces/spring_laws.h"
 #include "sim/methods/constants.h"
 
 namespace hooke {
@@ -93,9 +94,10 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
         direction_squared += direction * direction;
         along += direction * (V[c * n + i] - V[c * n + j]);
       }
-      const double stretch = std::sqrt(length_squared) - plan.spring.rest_length[s];
-      add(0.5 * plan.spring.stiffness[s] * stretch * stretch);
-      if (plan.has_dashpots() && direction_squared > 0.0) add(0.5 * stage.b * plan.spring.damping[s] * along * along / direction_squared);
+      add(response_of(plan, s, stage.time, std::sqrt(length_squared)).of.energy);
+      if (!plan.has_dashpots() || direction_squared == 0.0) continue;
+      const double damping = response_of(plan, s, stage.time, std::sqrt(direction_squared)).damping;
+      add(0.5 * stage.b * damping * along * along / direction_squared);
     }
 
   if (plan.hand.pull) {

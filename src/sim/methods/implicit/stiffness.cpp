@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "sim/forces/field_kernel.h"
+#include "sim/forces/spring_laws.h"
 
 namespace hooke {
 namespace {
@@ -45,10 +46,9 @@ struct SpringContribution {
 };
 
 template <int Dimensions>
-SpringContribution<Dimensions> spring_contribution(const Plan& plan, double b, Index i, Index j, Index s, const double* x, const double* v,
-                                                   Curvature curvature) {
+SpringContribution<Dimensions> spring_contribution(const Plan& plan, double time, double b, Index i, Index j, Index s, const double* x,
+                                                   const double* v, Curvature curvature) {
   const std::size_t n = plan.points;
-  const double k = plan.spring.stiffness[s], d = plan.has_dashpots() ? plan.spring.damping[s] : 0.0;
   SpringContribution<Dimensions> contribution;
   double length_squared = 0.0, approach = 0.0;
   for (int c = 0; c < Dimensions; ++c) {
@@ -56,18 +56,19 @@ SpringContribution<Dimensions> spring_contribution(const Plan& plan, double b, I
     length_squared += contribution.u[c] * contribution.u[c];
     approach += contribution.u[c] * (v[c * n + i] - v[c * n + j]);
   }
-  if (length_squared == 0.0) {
+  const double length = std::sqrt(length_squared);
+  const auto [of, d] = response_of(plan, s, time, length);
+  if (length == 0.0) {
     contribution.uniaxial = 0.0;
-    contribution.isotropic = b * b * k;
+    contribution.isotropic = b * b * of.stiffness;
     return contribution;
   }
 
-  const double length = std::sqrt(length_squared);
   for (double& component : contribution.u) component /= length;
-  const double tension = k * (length - plan.spring.rest_length[s]) + d * approach / length;
+  const double tension = of.tension + d * approach / length;
   contribution.isotropic = b * b * tension / length;
   if (curvature == Curvature::Clamped) contribution.isotropic = std::max(0.0, contribution.isotropic);
-  contribution.uniaxial = b * (b * k + d) - contribution.isotropic;
+  contribution.uniaxial = b * (b * of.stiffness + d) - contribution.isotropic;
   return contribution;
 }
 
@@ -118,7 +119,7 @@ void StiffnessMatrix::add_springs(const Plan& plan, double b, const double* x, c
   for_each_spring(plan, [&](Index i, Index j, Index s) {
     const bool first_moves = plan.inverse_mass[i] != 0.0, second_moves = plan.inverse_mass[j] != 0.0;
     if (!first_moves && !second_moves) return;
-    const auto contribution = spring_contribution<Dimensions>(plan, b, i, j, s, x, v, curvature);
+    const auto contribution = spring_contribution<Dimensions>(plan, time_, b, i, j, s, x, v, curvature);
     if (first_moves) add(diagonal_[i], contribution);
     if (second_moves) add(diagonal_[j], contribution);
     if (!first_moves || !second_moves) return;
@@ -147,6 +148,7 @@ void StiffnessMatrix::allocate(const Plan& plan) {
 }
 
 void StiffnessMatrix::linearize_forces(const Plan& plan, double time, const Field& x, const Field& v) {
+  time_ = time;
   if (!has_forces_) return;
   tangent_.reset(plan);
   is_linearized_ = true;

@@ -29,7 +29,8 @@ class StiffnessMatrix {
   // Once per frame, before its first assemble: a step never allocates.
   void allocate(const Plan& plan);
 
-  // Takes the derivatives of the listed forces at x and v into the next assemble; until the next allocate.
+  // Takes the derivatives of the listed forces at x and v into the next assemble; until the next allocate. The rest lengths of springs
+  // are those at this time.
   void linearize_forces(const Plan& plan, double time, const Field& x, const Field& v);
   // Adds `scale` D v of the listed forces, over the points that move freely.
   void add_force_damping(const Plan& plan, double scale, const Field& v, Field& result) const;
@@ -71,6 +72,7 @@ class StiffnessMatrix {
   static void apply(const VolumeUpdate& update, Field& b);
 
   int dimensions_;
+  double time_ = 0.0;            // [s]
   std::vector<Update> updates_;  // of the pull between points, and of forces on the center of mass
   std::vector<VolumeUpdate> volume_updates_;
   bool has_pull_update_ = false, has_forces_ = false, is_linearized_ = false;

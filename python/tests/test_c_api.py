@@ -1,0 +1,39 @@
+"""The library from another language: its C interface by ctypes, with the bits of the module."""
+
+import ctypes
+import os
+
+import numpy as np
+
+import hooke
+
+
+def library() -> ctypes.CDLL:
+    c = ctypes.CDLL(os.environ["HOOKE_LIBRARY"])
+    for name in ("hooke_version", "hooke_error"):
+        getattr(c, name).restype = ctypes.c_char_p
+    for name in ("hooke_scene_load", "hooke_simulation_new", "hooke_simulation_positions"):
+        getattr(c, name).restype = ctypes.c_void_p
+    c.hooke_simulation_hash.restype = ctypes.c_uint64
+    c.hooke_simulation_point_count.restype = ctypes.c_int64
+    return c
+
+
+def test_a_simulation_has_the_bits_of_a_run():
+    c = library()
+    assert c.hooke_version().decode() == hooke.__version__
+    scene = ctypes.c_void_p(c.hooke_scene_load(b"cloth"))
+    simulation = ctypes.c_void_p(c.hooke_simulation_new(scene, 0))
+    c.hooke_scene_free(scene)
+    assert c.hooke_simulation_step(simulation, ctypes.c_double(0.1)) == 1
+    run = hooke.load("cloth").run(0.1, accuracy="off")
+    assert f"{c.hooke_simulation_hash(simulation):016x}" == run.hash
+    count = c.hooke_simulation_point_count(simulation)
+    positions = ctypes.cast(c.hooke_simulation_positions(simulation), ctypes.POINTER(ctypes.c_double))
+    assert np.array_equal(np.ctypeslib.as_array(positions, (count, 3)), run.positions[-1])
+    c.hooke_simulation_free(simulation)
+
+
+def test_mistakes_are_answered_with_a_line():
+    c = library()
+    assert c.hooke_scene_load(b"nowhere") is None and c.hooke_error().startswith(b"nowhere: no such file or shipped scene")

@@ -1,0 +1,59 @@
+#include "app/view/arrows.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/round_number.h"
+#include "sim/forces/forces.h"
+
+namespace hooke {
+namespace {
+
+constexpr Index max_points = 20'000;  // more arrows would cover the scene, and their forces would delay the window
+
+}  // namespace
+
+double velocity_arrow_seconds(double view_height) { return round_below(0.1 * std::sqrt(std::max(view_height, 1e-12))); }
+
+std::optional<Arrows> ForceArrows::at(const Snapshot& snapshot, double longest) {
+  const System& system = *snapshot.system;
+  if (system.point_count() == 0 || system.point_count() > max_points) return std::nullopt;
+  if (system_ != snapshot.system) {
+    plan_ = make_plan(system, Numbering::AsListed);
+    system_ = snapshot.system;
+  }
+  const auto n = static_cast<std::size_t>(system.point_count());
+  Field x(n * static_cast<std::size_t>(plan_.dimensions)), v(x.size()), f(x.size());
+  for (std::size_t i = 0; i < n; ++i)
+    for (int axis = 0; axis < plan_.dimensions; ++axis) {
+      x[static_cast<std::size_t>(axis) * n + i] = snapshot.state.position[i][axis];
+      v[static_cast<std::size_t>(axis) * n + i] = snapshot.state.velocity[i][axis];
+    }
+  compute_forces(plan_, snapshot.state.time, x, v, f);
+  double largest = 0.0;
+  for (Index i = 0; i < system.point_count(); ++i) largest = std::max(largest, glm::length(vector_at(plan_, f, i)));
+  if (!(largest > 0.0) || !std::isfinite(largest)) return std::nullopt;
+  Arrows arrows{.kind = Arrows::Kind::Force, .scale = round_below(longest / largest), .lines = {}};
+  for (Index i = 0; i < system.point_count(); ++i) {
+    const Vec3& from = snapshot.state.position[i];
+    arrows.lines.emplace_back(from, from + arrows.scale * vector_at(plan_, f, i));
+  }
+  return arrows;
+}
+
+std::vector<Arrows> make_arrows(const Snapshot& snapshot, const ViewOptions& options, double view_height, ForceArrows& forces) {
+  std::vector<Arrows> all;
+  if (options.velocities && snapshot.system->point_count() <= max_points) {
+    Arrows arrows{.kind = Arrows::Kind::Velocity, .scale = velocity_arrow_seconds(view_height), .lines = {}};
+    for (std::size_t i = 0; i < snapshot.state.position.size(); ++i) {
+      const Vec3& from = snapshot.state.position[i];
+      arrows.lines.emplace_back(from, from + arrows.scale * snapshot.state.velocity[i]);
+    }
+    all.push_back(std::move(arrows));
+  }
+  if (options.forces)
+    if (auto arrows = forces.at(snapshot, 0.15 * view_height)) all.push_back(std::move(*arrows));
+  return all;
+}
+
+}  // namespace hooke

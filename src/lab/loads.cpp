@@ -1,0 +1,36 @@
+#include "lab/loads.h"
+
+#include <glm/geometric.hpp>
+
+#include "sim/forces/energy/energy.h"
+#include "sim/forces/forces.h"
+
+namespace hooke {
+
+Loads compute_loads(const Plan& plan, const System& system, const State& state) {
+  Loads loads;
+  for (const Spring& spring : system.springs()) {
+    const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
+    const double extension = length - system.rest_length_of(spring, state.time), stiffness = system.stiffness_of(spring);
+    loads.tension.push_back(spring.law ? response_of(*spring.law, stiffness, extension).tension : stiffness * extension);
+    loads.energy.push_back(elastic_energy(system, state, spring));
+  }
+
+  Motion motion;
+  pack(plan, state, motion);
+  const auto unpacked = [&](const Field& f) {
+    std::vector<Vec3> vectors(state.position.size(), Vec3(0.0));
+    for (Index i = 0; i < plan.points; ++i) vectors[plan.listed_index(i)] = vector_at(plan, f, i);
+    return vectors;
+  };
+  Field f = motion.x;
+  compute_external_forces(plan, state.time, motion.x, motion.v, f);
+  loads.external = unpacked(f);
+  compute_forces(plan, state.time, motion.x, motion.v, f);
+  loads.reaction = unpacked(f);
+  for (Index i = 0; i < system.point_count(); ++i)
+    loads.reaction[i] = plan.inverse_mass[plan.number_of(i)] == 0.0 ? -loads.reaction[i] : Vec3(0.0);
+  return loads;
+}
+
+}  // namespace hooke

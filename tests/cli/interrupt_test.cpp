@@ -1,0 +1,85 @@
+// Ctrl+C and SIGTERM keep what was computed.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "support/contents.h"
+#include "support/headless.h"
+#include "support/scratch_folder.h"
+
+namespace hooke {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The exit code of a command in a folder that gets a signal once `is_ready`.
+int code_after(int signal, const std::string& arguments, const fs::path& folder, const std::function<bool()>& is_ready) {
+  std::vector<std::string> words{"/usr/bin/env", "-C", folder.string(), HOOKE_HEADLESS};
+  for (std::istringstream text(arguments); text;)
+    if (std::string word; text >> word) words.push_back(word);
+  const int null = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  const pid_t child = start_process(words, null, null);
+  for (int tries = 0; tries < 600 && !is_ready(); ++tries) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  kill(child, signal);
+  const int code = wait_for(child);
+  close(null);
+  return code;
+}
+
+long files_in(const fs::path& folder, const std::string& start) {
+  long count = 0;
+  if (!fs::exists(folder)) return 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    count += entry.path().filename().string().starts_with(start) ? 1 : 0;
+  return count;
+}
+
+// Until the program has written something to a temporary file, it may not have caught signals yet.
+bool has_long_file(const fs::path& folder) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && entry.file_size() > 100'000) return true;
+  return false;
+}
+
+TEST(Interrupt, ARunWritesTheSamplesSoFarAndMarksThem) {
+  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+    const ScratchFolder scratch;
+    const std::string command = "run cloth --seconds 1e5 --sample 0.001 --accuracy off --json a.json --csv a.csv -q";
+    EXPECT_EQ(code_after(signal, command, scratch.folder, [&] { return has_long_file(scratch.folder); }), code);
+    const rapidjson::Document json = parse_json(contents(scratch.folder / "a.json"));
+    EXPECT_TRUE(json["interrupted"].GetBool());
+    EXPECT_FALSE(json["diverged"].GetBool());
+    const auto& samples = json["samples"];
+    ASSERT_GT(samples.Size(), 1u);
+    EXPECT_EQ(samples[samples.Size() - 1]["time"].GetDouble(), json["seconds"].GetDouble());
+    EXPECT_EQ(lines_of(contents(scratch.folder / "a.csv")).size(), samples.Size() + 1u);
+    EXPECT_EQ(files_in(scratch.folder, "."), 0) << "temporary files";
+  }
+}
+
+TEST(Interrupt, ACaptureKeepsItsPicturesAndItsReport) {
+  const ScratchFolder scratch;
+  const std::string command = "capture two_masses --out frames --seconds 1e5 --size 64x36 --report report -q";
+  EXPECT_EQ(code_after(SIGTERM, command, scratch.folder, [&] { return files_in(scratch.folder / "frames", "frame_") > 3; }), 143);
+  const rapidjson::Document json = parse_json(contents(scratch.folder / "report" / "report.json"));
+  EXPECT_TRUE(json["interrupted"].GetBool());
+  EXPECT_EQ(files_in(scratch.folder / "frames", "frame_"), static_cast<long>(json["frames"].Size()));
+  EXPECT_EQ(files_in(scratch.folder / "frames", "."), 0);
+  EXPECT_EQ(files_in(scratch.folder / "report", "."), 0);
+}
+
+TEST(Interrupt, AScenesCheckKeepsItsResults) {
+  const ScratchFolder scratch;
+  const auto start = std::chrono::steady_clock::now();
+  const int code = code_after(SIGINT, "check --json checks.json", scratch.folder,
+                              [&] { return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(1500); });
+  EXPECT_EQ(code, 130);
+  EXPECT_TRUE(parse_json(contents(scratch.folder / "checks.json"))["interrupted"].GetBool());
+}
+
+}  // namespace
+}  // namespace hooke
