@@ -21,13 +21,7 @@ Gap gap_to(const Sphere& sphere, double radius, const Vec3& x) {
 Gap gap_to(const Box& box, double radius, const Vec3& x) {
   const Vec3 out = x - glm::clamp(x, box.min, box.max);
   const double length = glm::length(out);
-  if (length > 0.0) {
-    Gap gap{.distance = length - radius, .normal = out / length};
-    const int sides = (out.x != 0.0 ? 1 : 0) + (out.y != 0.0 ? 1 : 0) + (out.z != 0.0 ? 1 : 0);
-    if (sides >= 2 && radius > 0.0) gap.curvature = 1.0 / radius;
-    for (int c = 0; sides == 2 && c < 3; ++c) gap.straight[c] = out[c] == 0.0 ? 1.0 : 0.0;
-    return gap;
-  }
+  if (length > 0.0) return {.distance = length - radius, .normal = out / length};
 
   // inside: out through the nearest face
   Gap gap{.distance = -std::numeric_limits<double>::infinity()};
@@ -94,27 +88,21 @@ Gap gap_to(const Collider& collider, double radius, const Vec3& x) {
   return std::visit([&](const auto& shape) { return gap_to(shape, radius, x); }, collider.shape);
 }
 
-// The parts of a box are the faces, edges and corners that are nearest where each coordinate is below, between or above its limits. A path
-// is beyond a limit when it is so by the tolerance of contact.
-double time_on_part(const Collider& collider, const Gap& gap, const Parabola& path, double time_limit) {
+// A path is beyond the end of a face when it is so by the tolerance of contact.
+double time_on_face(const Collider& collider, const Parabola& path, double time_limit) {
   const auto* box = std::get_if<Box>(&collider.shape);
   if (box == nullptr) return time_limit;
   const double tolerance = contact_tolerance(path.x);
   double time = time_limit;
   for (int c = 0; c < 3; ++c) {
-    // from the tangent plane to the surface, the path moves along the normal: it reaches the limit sooner than it would in the plane
-    const double cosine = std::sqrt(std::max(0.0, 1.0 - gap.normal[c] * gap.normal[c]));
-    const double scale = gap.curvature > 0.0 && cosine > 0.0 ? 1.0 / cosine : 1.0;
-    const double x = path.x[c], v = scale * path.v[c], a = scale * path.a[c];
+    const double x = path.x[c];
     const auto pass = [&](double distance, double sign) {
-      if (const auto passed = first_zero_crossing(distance + tolerance, sign * v, sign * a)) time = std::min(time, *passed);
+      if (const auto passed = first_zero_crossing(distance + tolerance, sign * path.v[c], sign * path.a[c]))
+        time = std::min(time, *passed);
     };
-    if (x >= box->min[c] && x <= box->max[c]) {
-      pass(box->max[c] - x, -1.0);
-      pass(x - box->min[c], 1.0);
-    } else if (gap.curvature > 0.0) {
-      x > box->max[c] ? pass(x - box->max[c], 1.0) : pass(box->min[c] - x, -1.0);
-    }
+    if (x < box->min[c] || x > box->max[c]) continue;
+    pass(box->max[c] - x, -1.0);
+    pass(x - box->min[c], 1.0);
   }
   return time;
 }
