@@ -13,9 +13,6 @@
 namespace hooke {
 namespace {
 
-// In the memory of impulses, of two points that touch each other.
-constexpr Index pair_of_points = std::numeric_limits<Index>::max();
-
 // Of the first feature, as seen from the second.
 inline Vec3 relative(const std::array<Index, 4>& points, const std::array<double, 4>& w, std::span<const Vec3> field) {
   const auto& [i, j, k, l] = points;
@@ -28,7 +25,7 @@ inline void apply(const SurfaceContact& contact, const Vec3& impulse, std::span<
 }
 
 // The impulse that reaches the target. What separates is pushed by no more than a spring would; what approaches is stopped in any case.
-inline void solve(SurfaceContact& contact, std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity) {
+inline void solve(SurfaceContact& contact, std::span<const double> inverse_mass, std::span<Vec3> velocity) {
   const Vec3 v = relative(contact, velocity);
   const double normal_velocity = glm::dot(contact.normal, v);
   if (contact.impulse.normal == 0.0 && !(normal_velocity < contact.target)) return;
@@ -36,18 +33,10 @@ inline void solve(SurfaceContact& contact, std::span<const double> inverse_mass,
   if (contact.target > 0.0)
     impulse = std::min(impulse, std::max(contact.max_push, contact.impulse.normal - normal_velocity * contact.mass));
   const Vec3 slip = v - normal_velocity * contact.normal;
-  apply(contact,
-        change_impulse(contact.impulse, std::clamp(impulse, 0.0, contact.max_impulse), contact.normal, friction, slip, contact.mass),
-        inverse_mass, velocity);
-}
-
-void solve(ObstacleContact& contact, std::span<const double> inverse_mass, std::span<Vec3> velocity) {
-  Vec3& v = velocity[contact.point];
-  const double response = inverse_mass[contact.point], normal_velocity = glm::dot(contact.normal, v);
-  if (contact.impulse.normal == 0.0 && !(normal_velocity < contact.target)) return;
-  const double impulse = std::max(0.0, contact.impulse.normal + (contact.target - normal_velocity) / response);
-  const Vec3 relative = v - contact.surface, slip = relative - glm::dot(contact.normal, relative) * contact.normal;
-  v += response * change_impulse(contact.impulse, impulse, contact.normal, contact.friction, slip, 1.0 / response);
+  apply(
+      contact,
+      change_impulse(contact.impulse, std::clamp(impulse, 0.0, contact.max_impulse), contact.normal, contact.friction, slip, contact.mass),
+      inverse_mass, velocity);
 }
 
 Vec3 across(const Vec3& normal, const Vec3& w) { return w - glm::dot(normal, w) * normal; }
@@ -57,18 +46,27 @@ ContactImpulse scaled(const ContactImpulse& impulse, double factor, const Vec3& 
 }
 Vec3 total(const ContactImpulse& impulse, const Vec3& normal) { return impulse.normal * normal + impulse.friction; }
 
+// The contacts of features, and those of obstacles, which come last.
+std::size_t count_features(std::span<const SurfaceContact> contacts) {
+  const auto end = std::ranges::partition_point(contacts, [](const SurfaceContact& each) { return !each.is_on_obstacle(); });
+  return static_cast<std::size_t>(end - contacts.begin());
+}
+
 }  // namespace
+
+SurfaceContacts::Key SurfaceContacts::key_of(const SurfaceContact& contact) {
+  const Index i = contact.points[0];
+  return {contact.kind, contact.pair, contact.is_on_obstacle() ? std::array{i, i, no_index, contact.pair} : contact.points};
+}
 
 void SurfaceContacts::begin_frame() {
   last_.clear();
-  last_obstacles_.clear();
   last_h_ = 0.0;
 }
 
 void SurfaceContacts::make(const Step& step, const SurfaceDetection& detection) {
-  surface.clear();
+  paths.clear();
   touching.clear();
-  obstacles.clear();
   list_ = detection.list_number();
   const double slack = contact::slack * step.plan.max_thickness;
   for (const SurfaceDetection::Near& near : detection.near()) {
@@ -76,7 +74,7 @@ void SurfaceContacts::make(const Step& step, const SurfaceDetection& detection) 
     const Vec3 normal = closest.separation / closest.distance;
     const double gap = closest.distance - near.contact;
     if (!(gap + step.h * glm::dot(normal, relative(near.points, closest.weight, step.u)) < slack)) continue;
-    SurfaceContact& contact = surface.emplace_back();
+    SurfaceContact& contact = paths.emplace_back();
     contact.points = near.points;
     contact.weight = closest.weight;
     contact.normal = normal;
@@ -92,13 +90,13 @@ void SurfaceContacts::add_points(const Step& step, Index i, Index j, double dist
   const Vec3 separation = step.x[i] - step.x[j];
   const double length = glm::length(separation);
   if (length <= contact::coincident * distance) return;
-  add(step, surface.emplace_back(SurfaceContact{.points = {i, i, j, j},
-                                                .weight = {1.0, 0.0, -1.0, 0.0},
-                                                .normal = separation / length,
-                                                .thickness = distance,
-                                                .gap = length - distance,
-                                                .pair = pair_of_points,
-                                                .kind = FeaturePair::TwoEdges}));
+  add(step, paths.emplace_back(SurfaceContact{.points = {i, i, j, j},
+                                              .weight = {1.0, 0.0, -1.0, 0.0},
+                                              .normal = separation / length,
+                                              .thickness = distance,
+                                              .gap = length - distance,
+                                              .pair = SurfaceContact::two_points,
+                                              .kind = FeaturePair::TwoEdges}));
 }
 
 // Overlaps are removed by the velocity omega / (2 zeta + h omega) times the overlap, which is the bias of a soft constraint with frequency
@@ -126,8 +124,9 @@ void SurfaceContacts::add(const Step& step, SurfaceContact& contact) {
     fastest = std::max(fastest, std::abs(change));
     is_held = is_held || contact.points[c] == step.held;
   }
-  if (response == 0.0) return surface.pop_back();
+  if (response == 0.0) return paths.pop_back();
   contact.mass = 1.0 / response;
+  contact.friction = step.plan.friction;
   if (contact.gap >= 0.0) {
     contact.target = -contact.gap / step.h;
   } else {
@@ -144,108 +143,96 @@ void SurfaceContacts::add(const Step& step, SurfaceContact& contact) {
   contact.max_impulse = contact::max_leverage * std::max(std::abs(drive), approach) / fastest;
 }
 
-// Starts from nothing in the first substep of a frame, and then from the impulses of the last one.
+// Starts from nothing in the first substep of a frame, and then from the impulses of the last one. Obstacles come last: nothing enters
+// them.
 void SurfaceContacts::sweep(const Step& step, std::span<SurfaceContact> contacts, std::span<Vec3> velocity) {
   const int count = last_h_ > 0.0 ? contact::sweeps : contact::first_sweeps;
+  const std::size_t features = count_features(contacts);
+  const auto solve_all = [&](auto&& some) {
+    for (SurfaceContact& contact : some) solve(contact, step.inverse_mass, velocity);
+  };
   for (int sweep = 0; sweep < count; ++sweep) {
     if (sweep % 2 == 0)
-      for (SurfaceContact& contact : contacts) solve(contact, step.inverse_mass, step.plan.friction, velocity);
+      solve_all(contacts.first(features));
     else
-      for (SurfaceContact& contact : contacts | std::views::reverse) solve(contact, step.inverse_mass, step.plan.friction, velocity);
-    for (ObstacleContact& contact : obstacles) solve(contact, step.inverse_mass, velocity);
+      solve_all(contacts.first(features) | std::views::reverse);
+    solve_all(contacts.subspan(features));
   }
-  impulses += count * static_cast<long>(contacts.size());
+  impulses += count * static_cast<long>(features);
 }
 
 // The impulses of the same contacts in the last substep, which are in the same order as now. If pairs have been listed again, they are
 // found by their points.
 void SurfaceContacts::recall(const Step& step) {
   const double factor = last_h_ > 0.0 ? step.h / last_h_ : 0.0;
-  const auto by_points = [](const auto& each) { return std::tuple(each.kind, each.points); };
-  const auto in_list = [](const auto& each) { return std::tuple(each.kind, each.pair, each.points); };
+  const auto by_points = [](const Key& key) { return std::tuple(key.kind, key.points); };
+  const auto in_list = [](const Key& key) { return std::tuple(key.kind, key.pair, key.points); };
+  const auto of_points = [&](const Memory& each) { return by_points(each.key); };
   const bool is_same_list = list_ == last_list_;
-  if (!is_same_list) std::ranges::sort(last_, {}, by_points);
+  if (!is_same_list) std::ranges::sort(last_, {}, of_points);
   auto next = last_.begin();
-  for (SurfaceContact& contact : surface) {
+  for (SurfaceContact& contact : paths) {
+    const Key key = key_of(contact);
     if (is_same_list)
-      while (next != last_.end() && in_list(*next) < in_list(contact)) ++next;
+      while (next != last_.end() && in_list(next->key) < in_list(key)) ++next;
     else
-      next = std::ranges::lower_bound(last_, by_points(contact), {}, by_points);
-    if (next == last_.end() || by_points(*next) != by_points(contact)) continue;
+      next = std::ranges::lower_bound(last_, by_points(key), {}, of_points);
+    if (next == last_.end() || by_points(next->key) != by_points(key)) continue;
     contact.impulse = scaled(next->impulses.path, factor, contact.normal);
     contact.last = static_cast<Index>(next - last_.begin());
-  }
-  recall_obstacles(factor);
-}
-
-void SurfaceContacts::recall_obstacles(double factor) {
-  obstacle_end_.assign(obstacles.size(), {});
-  auto next = last_obstacles_.begin();
-  for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    ObstacleContact& contact = obstacles[k];
-    const std::pair key(contact.point, contact.obstacle);
-    while (next != last_obstacles_.end() && next->key < key) ++next;
-    if (next == last_obstacles_.end() || next->key != key) continue;
-    contact.impulse = scaled(next->impulses.path, factor, contact.normal);
-    obstacle_end_[k] = scaled(next->impulses.end, factor, contact.normal);
   }
 }
 
 void SurfaceContacts::remember(const Step& step) {
   last_.clear();
-  last_obstacles_.clear();
-  const auto without = [](const ContactImpulse& all, const ContactImpulse& path) {
-    return ContactImpulses{path, {all.normal - path.normal, all.friction - path.friction}};
-  };
   for (std::size_t k = 0; k < touching.size(); ++k) {
     const SurfaceContact& contact = touching[k];
-    if (contact.impulse.normal > 0.0 || path_impulses_[k].normal > 0.0)
-      last_.push_back({contact.kind, contact.pair, contact.points, without(contact.impulse, path_impulses_[k])});
+    const ContactImpulse &all = contact.impulse, &path = path_impulses_[k];
+    if (all.normal > 0.0 || path.normal > 0.0)
+      last_.push_back({key_of(contact), {path, {all.normal - path.normal, all.friction - path.friction}}});
   }
-  for (const ObstacleContact& contact : obstacles)
-    if (contact.impulse.normal > 0.0 || contact.path_impulse.normal > 0.0)
-      last_obstacles_.push_back({{contact.point, contact.obstacle}, without(contact.impulse, contact.path_impulse)});
   last_list_ = list_;
   last_h_ = step.h;
 }
 
 void SurfaceContacts::solve_paths(const Step& step, std::span<Vec3> u) {
-  for (ObstacleContact& contact : obstacles) contact.target = contact.path_velocity - std::max(0.0, contact.gap) / step.h;
   recall(step);
-  for (const SurfaceContact& contact : surface)
+  for (const SurfaceContact& contact : paths)
     if (contact.impulse.normal > 0.0) apply(contact, total(contact.impulse, contact.normal), step.inverse_mass, u);
-  for (const ObstacleContact& contact : obstacles)
-    if (contact.impulse.normal > 0.0) u[contact.point] += step.inverse_mass[contact.point] * total(contact.impulse, contact.normal);
-  sweep(step, surface, u);
+  sweep(step, paths, u);
   // features turn on their way
   const auto may_touch = [&](const SurfaceContact& contact) {
     const double end = contact.gap + step.h * glm::dot(contact.normal, relative(contact, u));
     return end < contact::slack * contact::slack * contact.thickness;
   };
-  for (const SurfaceContact& contact : surface)
+  for (const SurfaceContact& contact : paths)
     if (contact.impulse.normal > 0.0 || may_touch(contact)) touching.push_back(contact);
   for (SurfaceContact& contact : touching) contact.target = 0.0, contact.max_push = std::numeric_limits<double>::infinity();
-  for (ObstacleContact& contact : obstacles) contact.path_impulse = contact.impulse;
 }
 
 // The contacts where their features are at the end of the paths.
 void SurfaceContacts::move(const Step& step, std::span<const Vec3> u) {
   end_x_.resize(step.x.size());
   for (std::size_t k = 0; k < end_x_.size(); ++k) end_x_[k] = step.x[k] + step.h * u[k];
-  for (std::size_t from = 0; from < touching.size(); from += static_cast<std::size_t>(block_.count)) {
+  const auto leave_apart = [](SurfaceContact& contact, double gap) {
+    if (contact.impulse.normal == 0.0 && gap > contact::coincident * contact.thickness)
+      contact.target = -std::numeric_limits<double>::infinity();
+  };
+  const std::size_t features = count_features(touching);
+  for (SurfaceContact& contact : std::span(touching).subspan(features))
+    leave_apart(contact, contact.gap + step.h * glm::dot(contact.normal, relative(contact, u)));
+  for (std::size_t from = 0; from < features; from += static_cast<std::size_t>(block_.count)) {
     const FeaturePair kind = touching[from].kind;
     for (block_.count = 0; block_.count < FeatureBlock::capacity; ++block_.count) {
       const std::size_t k = from + static_cast<std::size_t>(block_.count);
-      if (k == touching.size() || touching[k].kind != kind) break;
+      if (k == features || touching[k].kind != kind) break;
       block_.points[block_.count] = touching[k].points;
     }
     find_closest(kind, end_x_, block_);
     for (int i = 0; i < block_.count; ++i) {
       SurfaceContact& contact = touching[from + static_cast<std::size_t>(i)];
       const Closest closest = block_.closest(i);
-      const double gap = closest.distance - contact.thickness;
-      if (contact.impulse.normal == 0.0 && gap > contact::coincident * contact.thickness)
-        contact.target = -std::numeric_limits<double>::infinity();
+      leave_apart(contact, closest.distance - contact.thickness);
       double response = 0.0;
       for (int c = 0; c < 4; ++c) response += closest.weight[c] * closest.weight[c] * step.inverse_mass[contact.points[c]];
       if (!(closest.distance > 0.0) || response == 0.0) continue;
@@ -259,38 +246,29 @@ void SurfaceContacts::move(const Step& step, std::span<const Vec3> u) {
 // Impulses act along the line between the features at the end of the path, where they touch there. They continue from those of the last
 // substep.
 void SurfaceContacts::solve_ends(const Step& step, std::span<const Vec3> u, std::span<Vec3> velocity) {
-  const double factor = last_h_ > 0.0 ? step.h / last_h_ : 0.0, close = contact::coincident * step.plan.max_thickness;
-  // returns the change of the impulse
-  const auto continue_from = [](const ContactImpulse& end, auto& contact) {
-    if (end.normal == 0.0) return Vec3(0.0);
-    const ContactImpulse before = contact.impulse;
-    contact.impulse = {std::max(0.0, before.normal + end.normal), before.friction + end.friction};
-    return (contact.impulse.normal - before.normal) * contact.normal + (contact.impulse.friction - before.friction);
-  };
+  const double factor = last_h_ > 0.0 ? step.h / last_h_ : 0.0;
   move(step, u);
   path_impulses_.clear();
   for (SurfaceContact& contact : touching) {
-    path_impulses_.push_back(contact.impulse);
+    const ContactImpulse before = path_impulses_.emplace_back(contact.impulse);
     if (contact.last == no_index || std::isinf(contact.target)) continue;
-    const Vec3 change = continue_from(scaled(last_[contact.last].impulses.end, factor, contact.normal), contact);
-    if (change != Vec3(0.0)) apply(contact, change, step.inverse_mass, velocity);
-  }
-  for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    ObstacleContact& contact = obstacles[k];
-    const double gap = contact.gap + step.h * (glm::dot(contact.normal, u[contact.point]) - contact.path_velocity);
-    const bool touches = contact.impulse.normal > 0.0 || gap <= close;
-    contact.target = touches ? contact.end_velocity : -std::numeric_limits<double>::infinity();
-    if (touches) velocity[contact.point] += step.inverse_mass[contact.point] * continue_from(obstacle_end_[k], contact);
+    const ContactImpulse end = scaled(last_[contact.last].impulses.end, factor, contact.normal);
+    if (end.normal == 0.0) continue;
+    contact.impulse = {std::max(0.0, before.normal + end.normal), before.friction + end.friction};
+    apply(contact, total(contact.impulse, contact.normal) - total(before, contact.normal), step.inverse_mass, velocity);
   }
   sweep(step, touching, velocity);
   remember(step);
 }
 
-double SurfaceContacts::impulses_on(Index point) const {
+double SurfaceContacts::max_work(Index first, Index end, std::span<const Vec3> velocity) const {
   double sum = 0.0;
-  for (std::size_t k = 0; k < touching.size(); ++k)
+  for (std::size_t k = 0; k < touching.size(); ++k) {
+    const SurfaceContact& contact = touching[k];
+    const double impulse = (path_impulses_[k].normal + contact.impulse.normal) * (1.0 + contact.friction);
     for (int c = 0; c < 4; ++c)
-      if (touching[k].points[c] == point) sum += std::abs(touching[k].weight[c]) * (path_impulses_[k].normal + touching[k].impulse.normal);
+      if (const Index i = contact.points[c]; i >= first && i < end) sum += std::abs(contact.weight[c]) * impulse * glm::length(velocity[i]);
+  }
   return sum;
 }
 
