@@ -169,7 +169,7 @@ TEST(SurfaceTree, FindsAllPairsWithinReachOnce) {
     SurfaceTree tree;
     tree.build(plan, x);
     std::vector<SurfacePair> pairs;
-    EXPECT_TRUE(tree.find_pairs(plan, x, reach, std::vector<LeftOut>(x.size()), pairs, 1'000'000));
+    EXPECT_TRUE(tree.find_pairs(plan, x, reach, std::vector<char>(x.size()), pairs, 1'000'000));
     EXPECT_EQ(pairs.size(), expected) << reach;
   }
 }

@@ -66,7 +66,7 @@ class SurfaceDetection {
 
   double relative_margin_;
   SurfaceTree tree_;
-  std::vector<LeftOut> left_out_;  // per point, by what is crossed at the start of the frame; empty: nothing is
+  std::vector<char> left_out_;  // per point, whether it is of what is crossed at the start of the frame; empty: nothing is
   PairsByKind pairs_;
   // [m], of each pair: the distance when it was measured, plus the travel of that time; and the minimum of each block of pairs
   std::array<std::vector<double>, 2> keys_, block_keys_;
