@@ -24,7 +24,6 @@ struct PointPath {
   // [m], [m/s], at the start of the substep, v with the correction that supports leave of it: what they balance is no motion that they stop
   Vec3 start_x{0.0}, start_v{0.0};
   bool is_changed = false;  // by contact
-  bool is_fixed = false;    // to an obstacle, for the rest of the substep
 
   Vec3 position(double t) const { return x + (t - time) * (v + 0.5 * (t - time) * a); }
   Vec3 velocity(double t) const { return v + (t - time) * a; }

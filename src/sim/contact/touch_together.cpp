@@ -11,58 +11,60 @@ namespace hooke {
 // Finds the impacts that are at the same time, within rounding, as that of a touch, and are linked to it by points that are not nailed.
 void TouchSimulation::find_impacts_with(std::size_t touch) {
   constexpr double near = 1e-6;  // [1], of the substep: more than rounding, before the distance is measured
-  together_.clear();
-  together_of_.assign(1, touch);
-  if (first_touch_of_path_.empty()) list_touches_of_paths();
-  for (std::size_t k = 0; k < together_of_.size(); ++k) {
-    Touch& next = touches[together_of_[k]];
+  together_.touches.clear();
+  together_.of.assign(1, touch);
+  if (of_paths_.first.empty()) list_touches_of_paths();
+  for (std::size_t k = 0; k < together_.of.size(); ++k) {
+    Touch& next = touches[together_.of[k]];
     const Parabola path = relative_path(next, time_);
     const Gap gap = gap_to(shape_of(next), next.second != no_path ? 0.0 : next.distance, path.x);
     const double approach = -glm::dot(gap.normal, path.v);
-    if (k > 0 && (approach <= ignored_speed(next) || approach * (next.time - time_) > contact_tolerance(path.x))) {
-      together_of_.erase(together_of_.begin() + static_cast<std::ptrdiff_t>(k--));
+    if (k == 0) next.time = std::numeric_limits<double>::infinity();
+    if (approach <= ignored_speed(next) || (k > 0 && approach * (next.time - time_) > contact_tolerance(path.x))) {
+      together_.of.erase(together_.of.begin() + static_cast<std::ptrdiff_t>(k--));
       continue;
     }
-    together_.push_back(next);
-    together_.back().normal = gap.normal;
-    if (approach <= rest_speed(next)) together_.back().restitution = 0.0;
-    // as in `respond`
+    together_.touches.push_back(next);
+    together_.touches.back().normal = gap.normal;
+    if (approach <= rest_speed(next)) together_.touches.back().restitution = 0.0;
+    // what does not rebound leaves so slowly that the accelerations bring it back at the end of the substep
     const double hop = std::clamp(-0.5 * (h_ - time_) * glm::dot(gap.normal, path.a), 0.0, std::max(0.0, approach));
-    together_.back().min_velocity = std::max(together_.back().restitution * approach, hop);
-    together_.back().impulse = {};
+    together_.touches.back().min_velocity = std::max(together_.touches.back().restitution * approach, hop);
+    together_.touches.back().impulse = {};
     if (next.second == no_path)
-      together_.back().surface =
+      together_.touches.back().surface =
           next.obstacle->velocity_at(time_) + next.obstacle->velocity_correction + relative_surface_velocity(next, gap.normal, path.x);
     for (const std::size_t p : {next.first, next.second}) {
       if (p == no_path || paths[p].inverse_mass == 0.0) continue;
-      for (std::size_t l = first_touch_of_path_[p]; l < first_touch_of_path_[p + 1]; ++l) {
-        const std::size_t other = touches_of_path_[l];
+      for (std::size_t l = of_paths_.first[p]; l < of_paths_.first[p + 1]; ++l) {
+        const std::size_t other = of_paths_.touches[l];
         if (touches[other].time - time_ > near * h_) continue;
-        if (std::ranges::find(together_of_, other) == together_of_.end()) together_of_.push_back(other);
+        if (std::ranges::find(together_.of, other) == together_.of.end()) together_.of.push_back(other);
       }
     }
   }
 }
 
 // Each leaves with at least its restitution, and as one whose impulse is not negative.
-void TouchSimulation::respond_to_all() {
+void TouchSimulation::respond() {
+  if (together_.touches.empty()) return;
   velocity_.resize(paths.size());
   double fastest = 0.0;
-  for (const Touch& touch : together_)
+  for (const Touch& touch : together_.touches)
     for (const std::size_t p : {touch.first, touch.second}) {
       if (p == no_path) continue;
       paths[p].advance(time_);
       velocity_[p] = paths[p].v;
       fastest = std::max(fastest, glm::length(paths[p].v));
     }
-  all_together_.resize(together_.size());
-  std::iota(all_together_.begin(), all_together_.end(), 0);
+  together_.all.resize(together_.touches.size());
+  std::iota(together_.all.begin(), together_.all.end(), 0);
   constexpr double round_off = 1e-15;
-  impulses_ += settle(together_, all_together_, paths, round_off * fastest, velocity_);
+  impulses_ += settle(together_.touches, together_.all, paths, round_off * fastest, velocity_);
   first_impact_ = std::min(first_impact_, time_);
-  for (std::size_t k = 0; k < together_.size(); ++k) {
-    const Touch& touch = together_[k];
-    touches[together_of_[k]].time = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < together_.touches.size(); ++k) {
+    const Touch& touch = together_.touches[k];
+    touches[together_.of[k]].time = std::numeric_limits<double>::infinity();
     if (touch.restitution == 0.0) remove_correction(touch, touch.normal);
     for (const std::size_t p : {touch.first, touch.second}) {
       if (p == no_path) continue;
