@@ -37,26 +37,6 @@ Gap gap_to(const Box& box, double radius, const Vec3& x) {
   return gap;
 }
 
-bool may_touch(const Plane& plane, double inflated_radius, const Vec3& middle, const Vec3& half) {
-  const Vec3& n = plane.normal;
-  const double extent = std::abs(n.x * half.x) + std::abs(n.y * half.y) + std::abs(n.z * half.z);
-  return glm::dot(n, middle - plane.point) <= inflated_radius + extent;
-}
-
-bool may_touch(const Sphere& sphere, double inflated_radius, const Vec3& middle, const Vec3& half) {
-  const Vec3 out = middle - sphere.center;
-  const double extent = sphere.radius + inflated_radius + std::abs(half.x) + std::abs(half.y) + std::abs(half.z);
-  return glm::dot(out, out) <= extent * extent;
-}
-
-bool may_touch(const Box& box, double inflated_radius, const Vec3& middle, const Vec3& half) {
-  for (int c = 0; c < 3; ++c) {
-    const double extent = inflated_radius + std::abs(half[c]);
-    if (middle[c] < box.min[c] - extent || middle[c] > box.max[c] + extent) return false;
-  }
-  return true;
-}
-
 // When c + v t + a t^2 / 2, c >= 0, first goes below zero; in the form without cancellation.
 std::optional<double> first_zero_crossing(double c, double v, double a) {
   if (v >= 0.0 && a >= 0.0) return std::nullopt;
@@ -97,8 +77,7 @@ double time_on_face(const Collider& collider, const Parabola& path, double time_
   for (int c = 0; c < 3; ++c) {
     const double x = path.x[c];
     const auto pass = [&](double distance, double sign) {
-      if (const auto passed = first_zero_crossing(distance + tolerance, sign * path.v[c], sign * path.a[c]))
-        time = std::min(time, *passed);
+      if (const auto passed = first_zero_crossing(distance + tolerance, sign * path.v[c], sign * path.a[c])) time = std::min(time, *passed);
     };
     if (x < box->min[c] || x > box->max[c]) continue;
     pass(box->max[c] - x, -1.0);
@@ -110,9 +89,8 @@ double time_on_face(const Collider& collider, const Parabola& path, double time_
 double contact_tolerance(const Vec3& x) { return 1e-13 * (1.0 + std::abs(x.x) + std::abs(x.y) + std::abs(x.z)); }
 
 bool may_touch(const Collider& collider, double radius, const Vec3& from, const Vec3& to, double bulge) {
-  const Vec3 middle = 0.5 * (from + to), half = 0.5 * (to - from);
-  const double inflated_radius = radius + bulge + contact_tolerance(middle);
-  return std::visit([&](const auto& shape) { return may_touch(shape, inflated_radius, middle, half); }, collider.shape);
+  const Vec3 middle = 0.5 * (from + to);
+  return gap_to(collider, radius, middle).distance <= 0.5 * glm::length(to - from) + bulge + contact_tolerance(middle);
 }
 
 std::optional<double> first_impact(const Collider& collider, double radius, const Parabola& path, double time_limit) {
