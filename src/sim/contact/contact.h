@@ -29,9 +29,9 @@ struct ContactWorkspace {
   // Of each point: what became of it, and the work of the contact [J] in addition to the work of the forces.
   std::vector<RestingPoints::Outcome> outcome;
   std::vector<double> work;
-  std::vector<double> supplied;  // bounds on the part of it that colliders have supplied (contact_work.h); empty: they do not move
-  std::vector<Vec3> push_out;    // [m], of each point, out of colliders in which it was before the substep
-  Field without_push;            // [m], positions after the substep without that
+  std::vector<double> supplied;      // bounds on the part of it that colliders have supplied (contact_work.h); empty: they do not move
+  std::vector<Vec3> push_out;        // [m], of each point, out of colliders in which it was before the substep
+  Field without_push;                // [m], positions after the substep without that
   const PowerWork* works = nullptr;  // of the step, if the method sweeps over dashpots
   PairSolver pairs;
   SurfaceSolver surface;

@@ -189,8 +189,7 @@ PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports,
     segment.time = carrier.normal_acceleration / falls;
     segment.stops = false;
   }
-  const double arc_angle =
-      carrier.curvature * segment.time * (glm::length(along) + remaining * glm::length(segment.acceleration));
+  const double arc_angle = carrier.curvature * segment.time * (glm::length(along) + remaining * glm::length(segment.acceleration));
   if (arc_angle > 0.125) {
     segment.time *= 0.125 / arc_angle;
     segment.stops = false;
