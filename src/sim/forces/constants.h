@@ -37,10 +37,6 @@ inline constexpr double estimated_volume_ratio = 2.0 / 3.0;
 // Sticky planes. [m], within which a point counts as touching, and [m/s], the speed away from the plane at which it is not at rest on it,
 // and of the velocities [1]: contact places resting points on the surface to round-off. [m], [m/s], round-off itself.
 inline constexpr double sticky_distance = 1e-9, sticky_speed = 1e-9, sticky_round_off = 1e-13;
-// Releases within a substep at which its step is repeated; further ones are at the end of a step. The iterations for a time, its
-// resolution, and the part of a step that is no step [1].
-inline constexpr int max_releases = 16, max_release_iterations = 60;
-inline constexpr double release_resolution = 1e-10, negligible_part = 1e-6;
 
 // [1], the perimeter of an isosceles right triangle, relative to its short sides: faces of the estimate of the stiffness of wind.
 inline constexpr double perimeter_of_face = 3.4;
