@@ -119,7 +119,6 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
   watched_.clear();
   path_of_.assign(plan.points, no_path);
   const auto add_path = [&](Index i) {
-    if (path_of_[i] != no_path) return;
     path_of_[i] = simulation_.paths.size();
     const Vec3 x = vector_at(plan, x0, i), v = vector_at(plan, v0, i);
     PointPath path{.point = i, .inverse_mass = plan.inverse_mass[i], .x = x, .v = v};
@@ -152,18 +151,27 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
       watched_.push_back(first ? pair : PointPair{pair.j, pair.i});
   }
   std::ranges::sort(watched_);
-  for (std::size_t p = 0; p < simulation_.paths.size(); ++p) {
+  const std::size_t points = simulation_.paths.size();
+  for (const Obstacle& obstacle : obstacles)
+    simulation_.paths.push_back({.x = obstacle.offset,
+                                 .v = obstacle.velocity + obstacle.velocity_correction,
+                                 .a = obstacle.acceleration,
+                                 .velocity_correction = obstacle.velocity_correction,
+                                 .velocity_change = h * glm::length(obstacle.acceleration)});
+  for (std::size_t p = 0; p < points; ++p) {
     const Index i = simulation_.paths[p].point;
     if (is_fixed(plan, i)) continue;
     for (const Obstacle& obstacle : obstacles) {
+      const auto number = static_cast<std::size_t>(&obstacle - obstacles.data());
       const double moved =
           h * (glm::length(obstacle.velocity_at(0.0)) + glm::length(obstacle.velocity_at(h)) + glm::length(obstacle.velocity_correction));
       const Vec3 position = vector_at(plan, x0, i) - obstacle.offset_at(0.0);
       if (gap_to(*obstacle.collider, plan.radius[i], position).distance > margin_[i] + moved) continue;
       simulation_.touches.push_back({.first = p,
+                                     .second = points + number,
                                      .obstacle = &obstacle,
                                      .point = i,
-                                     .other = -2 - static_cast<Index>(&obstacle - obstacles.data()),
+                                     .other = -2 - static_cast<Index>(number),
                                      .distance = plan.radius[i],
                                      .restitution = obstacle.collider->restitution,
                                      .friction = obstacle.collider->friction});

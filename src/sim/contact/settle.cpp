@@ -9,18 +9,14 @@ namespace {
 
 void apply(const Touch& touch, const Vec3& impulse, std::span<const PointPath> paths, std::span<Vec3> v) {
   v[touch.first] += paths[touch.first].inverse_mass * impulse;
-  if (touch.second != no_path) v[touch.second] -= paths[touch.second].inverse_mass * impulse;
-}
-
-Vec3 relative_velocity(const Touch& touch, std::span<const Vec3> v) {
-  return v[touch.first] - (touch.second != no_path ? v[touch.second] : touch.surface);
+  v[touch.second] -= paths[touch.second].inverse_mass * impulse;
 }
 
 // The normal impulse, then friction within its cone. Returns the larger change of the relative velocity [m/s].
 double relax(Touch& touch, std::span<const PointPath> paths, std::span<Vec3> v) {
-  const double weight = paths[touch.first].inverse_mass + (touch.second != no_path ? paths[touch.second].inverse_mass : 0.0);
+  const double weight = paths[touch.first].inverse_mass + paths[touch.second].inverse_mass;
   if (weight == 0.0) return 0.0;
-  const Vec3 velocity = relative_velocity(touch, v);
+  const Vec3 velocity = v[touch.first] - v[touch.second] - touch.surface;
   const double normal_velocity = glm::dot(touch.normal, velocity);
   const ContactImpulse before = touch.impulse;
   const double normal_impulse = std::max(0.0, before.normal + (touch.min_velocity - normal_velocity) / weight);

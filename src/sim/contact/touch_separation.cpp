@@ -35,7 +35,7 @@ void TouchSimulation::limit_separation() {
   separation_.groups.reset(n);
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
-    if (touch.second == no_path || paths[touch.first].inverse_mass == 0.0 || paths[touch.second].inverse_mass == 0.0) continue;
+    if (paths[touch.first].inverse_mass == 0.0 || paths[touch.second].inverse_mass == 0.0) continue;
     separation_.groups.join(static_cast<Index>(touch.first), static_cast<Index>(touch.second));
   }
 

@@ -18,42 +18,34 @@ constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double resting_speed = 2.0, rest_reach = 3.0;
 
 // The radius by which the shape is inflated.
-double inflation(const Touch& touch) { return touch.second != no_path ? 0.0 : touch.distance; }
+double inflation(const Touch& touch) { return touch.obstacle != nullptr ? touch.distance : 0.0; }
 
 }  // namespace
 
 const Collider& TouchSimulation::shape_of(const Touch& touch) const {
-  if (touch.second == no_path) return *touch.obstacle->collider;
+  if (touch.obstacle != nullptr) return *touch.obstacle->collider;
   std::get<Sphere>(ball_.shape).radius = touch.distance;
   return ball_;
 }
 
 // Of the first, as seen from the second.
 Parabola TouchSimulation::relative_path(const Touch& touch, double t) const {
-  const PointPath& first = paths[touch.first];
-  if (touch.second != no_path) {
-    const PointPath& second = paths[touch.second];
-    return {first.position(t) - second.position(t), first.velocity(t) - second.velocity(t), first.a - second.a};
-  }
-  const Obstacle& obstacle = *touch.obstacle;
-  return {first.position(t) - obstacle.offset_at(t), first.velocity(t) - obstacle.velocity_at(t) - obstacle.velocity_correction,
-          first.a - obstacle.acceleration};
+  const PointPath &first = paths[touch.first], &second = paths[touch.second];
+  return {first.position(t) - second.position(t), first.velocity(t) - second.velocity(t), first.a - second.a};
 }
 
 Vec3 TouchSimulation::relative_surface_velocity(const Touch& touch, const Vec3& normal, const Vec3& relative_position) const {
-  return touch.second != no_path ? Vec3(0.0) : hooke::relative_surface_velocity(*touch.obstacle, normal, relative_position);
+  return touch.obstacle != nullptr ? hooke::relative_surface_velocity(*touch.obstacle, normal, relative_position) : Vec3(0.0);
 }
 
 // A bound on what the accelerations change of the relative velocity during the substep [m/s].
 double TouchSimulation::velocity_change(const Touch& touch) const {
-  const double second = touch.second != no_path ? paths[touch.second].velocity_change : h_ * glm::length(touch.obstacle->acceleration);
-  return paths[touch.first].velocity_change + second;
+  return paths[touch.first].velocity_change + paths[touch.second].velocity_change;
 }
 
 // Speeds of approach below this count as zero [m/s].
 double TouchSimulation::quiet_speed(const Touch& touch) const {
-  const Vec3 second = touch.second != no_path ? paths[touch.second].v : touch.obstacle->velocity_at(time_);
-  return 1e-3 * velocity_change(touch) + 1e-12 * (glm::length(paths[touch.first].v) + glm::length(second));
+  return 1e-3 * velocity_change(touch) + 1e-12 * (glm::length(paths[touch.first].v) + glm::length(paths[touch.second].v));
 }
 
 // The speed of approach below which there is no restitution [m/s]: all bounces from the rebound e v on take 2 e v / (a (1 - e)).
@@ -100,8 +92,7 @@ void TouchSimulation::find_resting() {
   for (std::size_t t = 0; t < touches.size(); ++t) {
     Touch& touch = touches[t];
     Parabola path = relative_path(touch, 0.0);
-    path.v -= paths[touch.first].velocity_correction;
-    path.v += touch.second != no_path ? paths[touch.second].velocity_correction : touch.obstacle->velocity_correction;
+    path.v -= paths[touch.first].velocity_correction - paths[touch.second].velocity_correction;
     const Gap gap = gap_to(shape_of(touch), inflation(touch), path.x);
     const double change = velocity_change(touch);
     touch.is_near = gap.distance <= contact_tolerance(path.x) + rest_reach * h_ * change;
@@ -116,14 +107,12 @@ void TouchSimulation::find_resting() {
   }
 }
 
-// Settles velocity_ at a time, of the motion or of the corrections.
-void TouchSimulation::settle_velocities(double t, bool is_correction, double tolerance) {
+// Settles velocity_, of the motion or of the corrections.
+void TouchSimulation::settle_velocities(bool is_correction, double tolerance) {
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
-    if (touch.second != no_path) continue;
-    const Vec3 position = paths[touch.first].x - touch.obstacle->offset_at(0.0);
-    touch.surface = is_correction ? touch.obstacle->velocity_correction
-                                  : touch.obstacle->velocity_at(t) + relative_surface_velocity(touch, touch.normal, position);
+    const Vec3 position = paths[touch.first].x - paths[touch.second].x;
+    touch.surface = is_correction ? Vec3(0.0) : relative_surface_velocity(touch, touch.normal, position);
   }
   impulses_ += settle(touches, active_, paths, tolerance, velocity_);
   change_pushed();
@@ -145,7 +134,7 @@ void TouchSimulation::change_pushed() {
     const Touch& touch = touches[k];
     if (touch.impulse.normal == 0.0) continue;
     change(touch.first);
-    if (touch.second != no_path) change(touch.second);
+    change(touch.second);
   }
 }
 
@@ -165,12 +154,12 @@ void TouchSimulation::rest() {
 
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].v - paths[p].velocity_correction;
   for (const std::size_t k : active_) reset(k, -std::max(0.0, touches[k].gap) / h_);
-  settle_velocities(0.0, false, rough);
+  settle_velocities(false, rough);
   for (const std::size_t p : changed_) paths[p].v = velocity_[p] + paths[p].velocity_correction;
 
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].velocity_correction;
   for (const std::size_t k : active_) reset(k, 0.0);
-  settle_velocities(0.0, true, rough);
+  settle_velocities(true, rough);
   for (const std::size_t p : changed_) {
     const Vec3 change = velocity_[p] - paths[p].velocity_correction;
     paths[p].v += change;
@@ -181,15 +170,15 @@ void TouchSimulation::rest() {
   // gap + h (v + v') / 2 >= 0 along the normal in the middle of the path, across which a slide on a ball leads: the force does no work
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
-    Vec3 v = paths[touch.first].v - paths[touch.first].velocity_correction;
-    v -= touch.second != no_path ? paths[touch.second].v - paths[touch.second].velocity_correction : touch.obstacle->velocity_at(0.0);
+    const Vec3 v =
+        paths[touch.first].v - paths[touch.first].velocity_correction - paths[touch.second].v + paths[touch.second].velocity_correction;
     touch.normal =
         glm::normalize(touch.normal + 0.5 * h_ * touch.curvature * tangential(touch.normal, v + 0.5 * h_ * relative_path(touch, 0.0).a));
     reset(k, std::min(0.0, -2.0 * std::max(0.0, touch.gap) / h_ - glm::dot(touch.normal, v)));
   }
   recall_loads();
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].v - paths[p].velocity_correction + h_ * paths[p].a;
-  settle_velocities(h_, false, fine);
+  settle_velocities(false, fine);
   for (const std::size_t p : changed_) paths[p].a = (velocity_[p] - (paths[p].v - paths[p].velocity_correction)) / h_;
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
@@ -282,7 +271,7 @@ void TouchSimulation::list_touches_of_paths() {
   const auto visit = [&](auto&& see) {
     for (std::size_t t = 0; t < touches.size(); ++t) {
       see(touches[t].first, t);
-      if (touches[t].second != no_path) see(touches[t].second, t);
+      see(touches[t].second, t);
     }
   };
   visit([&](std::size_t p, std::size_t) { ++of_paths_.first[p + 1]; });
@@ -297,8 +286,8 @@ void TouchSimulation::list_touches_of_paths() {
 void TouchSimulation::leave_obstacles() {
   for (const Touch& touch : touches) {
     PointPath& path = paths[touch.first];
-    if (touch.second != no_path || !path.is_changed) continue;
-    const Vec3 position = path.x - touch.obstacle->offset_at(h_);
+    if (touch.obstacle == nullptr || !path.is_changed) continue;
+    const Vec3 position = path.x - paths[touch.second].x;
     const Gap gap = gap_to(shape_of(touch), inflation(touch), position);
     if (gap.distance < -contact_tolerance(position)) path.x -= gap.distance * gap.normal;
   }

@@ -51,7 +51,7 @@ class TouchSimulation {
 
   void find_resting();
   void rest();
-  void settle_velocities(double t, bool is_correction, double tolerance);
+  void settle_velocities(bool is_correction, double tolerance);
   void recall_loads();
   void find_separation(double tolerance);
   void limit_separation();

@@ -17,7 +17,7 @@ void TouchSimulation::find_impacts_with(std::size_t touch) {
   for (std::size_t k = 0; k < together_.of.size(); ++k) {
     Touch& next = touches[together_.of[k]];
     const Parabola path = relative_path(next, time_);
-    const Gap gap = gap_to(shape_of(next), next.second != no_path ? 0.0 : next.distance, path.x);
+    const Gap gap = gap_to(shape_of(next), next.obstacle != nullptr ? next.distance : 0.0, path.x);
     const double approach = -glm::dot(gap.normal, path.v);
     if (k == 0) next.time = std::numeric_limits<double>::infinity();
     if (approach <= ignored_speed(next) || (k > 0 && approach * (next.time - time_) > contact_tolerance(path.x))) {
@@ -31,11 +31,9 @@ void TouchSimulation::find_impacts_with(std::size_t touch) {
     const double hop = std::clamp(-0.5 * (h_ - time_) * glm::dot(gap.normal, path.a), 0.0, std::max(0.0, approach));
     together_.touches.back().min_velocity = std::max(together_.touches.back().restitution * approach, hop);
     together_.touches.back().impulse = {};
-    if (next.second == no_path)
-      together_.touches.back().surface =
-          next.obstacle->velocity_at(time_) + next.obstacle->velocity_correction + relative_surface_velocity(next, gap.normal, path.x);
+    together_.touches.back().surface = relative_surface_velocity(next, gap.normal, path.x);
     for (const std::size_t p : {next.first, next.second}) {
-      if (p == no_path || paths[p].inverse_mass == 0.0) continue;
+      if (paths[p].inverse_mass == 0.0) continue;
       for (std::size_t l = of_paths_.first[p]; l < of_paths_.first[p + 1]; ++l) {
         const std::size_t other = of_paths_.touches[l];
         if (touches[other].time - time_ > near * h_) continue;
@@ -52,7 +50,6 @@ void TouchSimulation::respond() {
   double fastest = 0.0;
   for (const Touch& touch : together_.touches)
     for (const std::size_t p : {touch.first, touch.second}) {
-      if (p == no_path) continue;
       paths[p].advance(time_);
       velocity_[p] = paths[p].v;
       fastest = std::max(fastest, glm::length(paths[p].v));
@@ -67,7 +64,6 @@ void TouchSimulation::respond() {
     touches[together_.of[k]].time = std::numeric_limits<double>::infinity();
     if (touch.restitution == 0.0) remove_correction(touch, touch.normal);
     for (const std::size_t p : {touch.first, touch.second}) {
-      if (p == no_path) continue;
       if (paths[p].inverse_mass != 0.0) paths[p].v = velocity_[p];
       change(p);
     }
@@ -76,13 +72,11 @@ void TouchSimulation::respond() {
 
 // Without a rebound, the corrections of the method's path must not separate them either.
 void TouchSimulation::remove_correction(const Touch& touch, const Vec3& normal) {
-  PointPath& first = paths[touch.first];
-  PointPath* second = touch.second != no_path ? &paths[touch.second] : nullptr;
-  const Vec3 other = second != nullptr ? second->velocity_correction : touch.obstacle->velocity_correction;
-  const double weight = first.inverse_mass + (second != nullptr ? second->inverse_mass : 0.0);
-  const Vec3 correction = -glm::dot(normal, first.velocity_correction - other) / weight * normal;
+  PointPath &first = paths[touch.first], &second = paths[touch.second];
+  const double weight = first.inverse_mass + second.inverse_mass;
+  const Vec3 correction = -glm::dot(normal, first.velocity_correction - second.velocity_correction) / weight * normal;
   first.velocity_correction += first.inverse_mass * correction;
-  if (second != nullptr) second->velocity_correction -= second->inverse_mass * correction;
+  second.velocity_correction -= second.inverse_mass * correction;
 }
 
 }  // namespace hooke
