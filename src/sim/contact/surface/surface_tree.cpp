@@ -5,8 +5,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/closest_kernel.h"
-
 namespace hooke {
 namespace {
 
