@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/settle.h"
 #include "sim/contact/touch_simulation.h"
 
 namespace hooke {
@@ -22,7 +21,7 @@ void TouchSimulation::find_separation(double tolerance) {
   }
   separation_.any = any;
   if (!any) return;
-  impulses_ += settle(touches, active_, paths, h_ * tolerance, separation_.displacement);
+  settle(touches, active_, h_ * tolerance, separation_.displacement);
   change_pushed();
 }
 

@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "sim/contact/settle.h"
 #include "sim/contact/supports.h"
 
 namespace hooke {
@@ -114,7 +113,7 @@ void TouchSimulation::settle_velocities(bool is_correction, double tolerance) {
     const Vec3 position = paths[touch.first].x - paths[touch.second].x;
     touch.surface = is_correction ? Vec3(0.0) : relative_surface_velocity(touch, touch.normal, position);
   }
-  impulses_ += settle(touches, active_, paths, tolerance, velocity_);
+  settle(touches, active_, tolerance, velocity_);
   change_pushed();
 }
 

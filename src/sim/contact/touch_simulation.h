@@ -11,7 +11,7 @@
 
 namespace hooke {
 
-// What touches without approaching at the start of the substep exerts constant forces during it (settle.h). Impacts follow at their times
+// What touches without approaching at the start of the substep exerts constant forces during it (`settle`). Impacts follow at their times
 // on the parabolas: restitution along the normal, and the Coulomb impulse. An impact so slow that all its further bounces would fall within
 // the substep has no restitution; what is pushed into others slowly waits for the next substep. Where impacts follow one another without
 // end, they lose their restitution first, and then wait for the next substep, too.
@@ -51,6 +51,7 @@ class TouchSimulation {
 
   void find_resting();
   void rest();
+  void settle(std::span<Touch> some, std::span<const std::size_t> active, double tolerance, std::span<Vec3> v);
   void settle_velocities(bool is_correction, double tolerance);
   void recall_loads();
   void find_separation(double tolerance);

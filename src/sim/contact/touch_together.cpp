@@ -1,12 +1,53 @@
-// The part of TouchSimulation that solves impacts at the same time together.
+// The part of TouchSimulation that solves what touches at the same time together.
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "sim/contact/settle.h"
 #include "sim/contact/touch_simulation.h"
 
 namespace hooke {
+namespace {
+
+void apply(const Touch& touch, const Vec3& impulse, std::span<const PointPath> paths, std::span<Vec3> v) {
+  v[touch.first] += paths[touch.first].inverse_mass * impulse;
+  v[touch.second] -= paths[touch.second].inverse_mass * impulse;
+}
+
+// The normal impulse, then friction within its cone. Returns the larger change of the relative velocity [m/s].
+double relax(Touch& touch, std::span<const PointPath> paths, std::span<Vec3> v) {
+  const double weight = paths[touch.first].inverse_mass + paths[touch.second].inverse_mass;
+  if (weight == 0.0) return 0.0;
+  const Vec3 velocity = v[touch.first] - v[touch.second] - touch.surface;
+  const double normal_velocity = glm::dot(touch.normal, velocity);
+  const ContactImpulse before = touch.impulse;
+  const double normal_impulse = std::max(0.0, before.normal + (touch.min_velocity - normal_velocity) / weight);
+  if (normal_impulse == 0.0 && before.normal == 0.0) return 0.0;
+  const Vec3 slip = velocity - normal_velocity * touch.normal;
+  apply(touch, change_impulse(touch.impulse, normal_impulse, touch.normal, touch.friction, slip, 1.0 / weight), paths, v);
+  return weight * std::max(std::abs(normal_impulse - before.normal), glm::length(touch.impulse.friction - before.friction));
+}
+
+}  // namespace
+
+// Changes the velocities v, one per path, by the impulses of the touches: along the normal the minimum for which no touch is slower than
+// its min_velocity, friction of up to its coefficient times that against the rest of the relative velocity. Impulses are equal and
+// opposite, so that momentum is conserved, and so is angular momentum without friction. Starts from the impulses in `some`, and leaves the
+// result there. Projected Gauss-Seidel, forward and backward in turn, until no relative velocity changes by more than `tolerance` [m/s].
+void TouchSimulation::settle(std::span<Touch> some, std::span<const std::size_t> active, double tolerance, std::span<Vec3> v) {
+  constexpr int max_sweeps = 200;
+  for (const std::size_t t : active) {
+    const Touch& touch = some[t];
+    if (touch.impulse.normal > 0.0) apply(touch, touch.impulse.normal * touch.normal + touch.impulse.friction, paths, v);
+  }
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+    double change = 0.0;
+    impulses_ += static_cast<long>(active.size());
+    for (std::size_t k = 0; k < active.size(); ++k)
+      change = std::max(change, relax(some[active[sweep % 2 == 0 ? k : active.size() - 1 - k]], paths, v));
+    if (!(change > tolerance)) break;
+  }
+}
 
 // Finds the impacts that are at the same time, within rounding, as that of a touch, and are linked to it by points that are not nailed.
 void TouchSimulation::find_impacts_with(std::size_t touch) {
@@ -57,7 +98,7 @@ void TouchSimulation::respond() {
   together_.all.resize(together_.touches.size());
   std::iota(together_.all.begin(), together_.all.end(), 0);
   constexpr double round_off = 1e-15;
-  impulses_ += settle(together_.touches, together_.all, paths, round_off * fastest, velocity_);
+  settle(together_.touches, together_.all, round_off * fastest, velocity_);
   first_impact_ = std::min(first_impact_, time_);
   for (std::size_t k = 0; k < together_.touches.size(); ++k) {
     const Touch& touch = together_.touches[k];

@@ -80,28 +80,22 @@ bool SurfaceDetection::list_pairs(const SurfacePlan& plan, double need) {
     reach_ = 0.0;
     return false;
   }
-  for (std::size_t kind = 0; kind < keys_.size(); ++kind) block_keys_[kind].assign((keys_[kind].size() + block_size - 1) / block_size, 0.0);
   tests_ += candidates();
   return true;
 }
 
 void SurfaceDetection::wake(const SurfacePlan& plan, FeaturePair kind, double need) {
-  const auto k = static_cast<std::size_t>(kind);
-  std::vector<double>& keys = keys_[k];
+  const std::vector<double>& keys = keys_[static_cast<std::size_t>(kind)];
   const double limit = need + travel_;
-  tests_ += static_cast<long>(block_keys_[k].size() / 8);
+  tests_ += static_cast<long>(keys.size() / (8 * block_size));
   std::array<Index, block_size> woken;
-  for (std::size_t b = 0; b < block_keys_[k].size(); ++b) {
-    if (block_keys_[k][b] >= limit) continue;
-    const std::size_t begin = b * block_size, end = std::min(begin + block_size, keys.size());
+  for (std::size_t begin = 0; begin < keys.size(); begin += block_size) {
     std::size_t count = 0;
-    for (std::size_t p = begin; p < end; ++p) {
+    for (std::size_t p = begin; p < std::min(begin + block_size, keys.size()); ++p) {
       woken[count] = static_cast<Index>(p);
       count += static_cast<std::size_t>(keys[p] < limit);
     }
-    measure(plan, kind, std::span(woken).first(count), need);
-    block_keys_[k][b] =
-        *std::min_element(keys.begin() + static_cast<std::ptrdiff_t>(begin), keys.begin() + static_cast<std::ptrdiff_t>(end));
+    if (count > 0) measure(plan, kind, std::span(woken).first(count), need);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/contact/closest_kernel.h"
+#include "sim/contact/closest.h"
 #include "sim/contact/surface/surface_tree.h"
 
 namespace hooke {
@@ -68,9 +68,8 @@ class SurfaceDetection {
   SurfaceTree tree_;
   std::vector<char> left_out_;  // per point, whether it is of what is crossed at the start of the frame; empty: nothing is
   PairsByKind pairs_;
-  // [m], of each pair: the distance when it was measured, plus the travel of that time; and the minimum of each block of pairs
-  std::array<std::vector<double>, 2> keys_, block_keys_;
-  double reach_ = 0.0, travel_ = 0.0;  // [m]: pairs up to the first are listed; by the second, distances have changed since at most
+  std::array<std::vector<double>, 2> keys_;  // [m], of each pair: the distance when it was measured, plus the travel of that time
+  double reach_ = 0.0, travel_ = 0.0;        // [m]: pairs up to the first are listed; by the second, distances have changed since at most
   double h_ = 0.0, approach_ = 0.0, round_off_ = 0.0;
   std::vector<Vec3> x_;
   std::vector<Near> near_;
