@@ -22,7 +22,8 @@ double push_work(const Plan& plan, ContactWorkspace& before, double h, const Mot
   const auto n = static_cast<std::size_t>(plan.points);
   before.without_push = motion.x;
   for (std::size_t i = 0; i < n; ++i)
-    for (int c = 0; c < plan.dimensions; ++c) before.without_push[c * n + i] -= before.push_out[i][c];
+    for (int c = 0; before.outcome[i] == RestingPoints::Open && c < plan.dimensions; ++c)
+      before.without_push[c * n + i] -= before.push_out[i][c];
   const double middle = before.time + 0.5 * h;  // as in PowerWork
   return potential_energy(plan, middle, motion.x) - potential_energy(plan, middle, before.without_push);
 }
@@ -83,9 +84,10 @@ class PointPass {
       std::fill_n(resting.work, end - first, 0.0);
       resting.any_open = true;
     }
-    for (std::size_t i = first; i < end; ++i) {
+    for (std::size_t i = first; resting.any_open && i < end; ++i) {
+      if (before_.outcome[i] != RestingPoints::Open) continue;
       before_.push_out[i] = Vec3(0.0);
-      if (before_.outcome[i] == RestingPoints::Open) solve_point(static_cast<Index>(i), touches);
+      solve_point(static_cast<Index>(i), touches);
     }
   }
 

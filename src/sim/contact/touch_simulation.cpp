@@ -6,15 +6,15 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "sim/contact/constants.h"
 #include "sim/contact/supports.h"
 
 namespace hooke {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-// A touch is at rest if its speed of approach is below this multiple of the velocity change in the substep, and its gap below this multiple
-// of the distance that this change covers.
-constexpr double resting_speed = 2.0, rest_reach = 3.0;
+// A touch may be at rest if its gap is below this multiple of the distance that the velocity change in the substep covers.
+constexpr double rest_reach = 3.0;
 
 // The radius by which the shape is inflated.
 double inflation(const Touch& touch) { return touch.obstacle != nullptr ? touch.distance : 0.0; }
@@ -97,7 +97,7 @@ void TouchSimulation::find_resting() {
     touch.is_near = gap.distance <= contact_tolerance(path.x) + rest_reach * h_ * change;
     if (!touch.is_near) continue;
     const double velocity = glm::dot(gap.normal, path.v);
-    if (velocity < -std::max(quiet_speed(touch), resting_speed * change)) continue;
+    if (velocity < -std::max(quiet_speed(touch), contact::rest_speed * change)) continue;
     touch.normal = gap.normal;
     touch.gap = gap.distance;
     touch.curvature = gap.curvature;
