@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 
 #include "sim/contact/closest.h"
-#include "sim/contact/closest.h"
 #include "sim/contact/surface/surface_tree.h"
 #include "support/crossings.h"
 #include "support/folds.h"
@@ -169,7 +168,7 @@ TEST(SurfaceTree, FindsAllPairsWithinReachOnce) {
     SurfaceTree tree;
     tree.build(plan, x);
     std::vector<SurfacePair> pairs;
-    EXPECT_TRUE(tree.find_pairs(plan, x, reach, std::vector<char>(x.size()), pairs, 1'000'000));
+    EXPECT_TRUE(tree.find_pairs(plan, x, reach, std::vector<LeftOut>(x.size()), pairs, 1'000'000));
     EXPECT_EQ(pairs.size(), expected) << reach;
   }
 }

@@ -133,6 +133,27 @@ class PointPass {
   bool keeps_path_;  // x' = x + h v' under friction
 };
 
+// Points that sticky planes accelerate at the start of the substep. Methods whose velocities lag lead them behind planes that move, by half
+// of what these are accelerated within it, where contact would count as an impact what is none.
+void follow_planes(const Plan& plan, const ContactWorkspace& before, double h, Motion& motion) {
+  const auto n = static_cast<std::size_t>(plan.points);
+  for (const StickyContact& contact : plan.force_data.sticky.held) {
+    const Index i = contact.point;
+    const auto k = static_cast<std::size_t>(contact.collider);
+    const auto& plane = std::get<Plane>(plan.colliders[k].shape);
+    const double acceleration = glm::dot(plane.normal, plan.colliders[k].path.acceleration(before.time));
+    const double own = glm::dot(plane.normal, vector_at(plan, motion.a, i));
+    if (std::abs(own - acceleration) > 1e-9 * std::abs(acceleration)) continue;
+    const double end = before.time + h, height = glm::dot(plane.normal, plane.point + plan.offset_of(k, end)) + plan.radius[i];
+    const double distance = height - glm::dot(plane.normal, vector_at(plan, motion.x, i));
+    const double speed = glm::dot(plane.normal, plan.velocity_of(k, end) - vector_at(plan, motion.v, i));
+    for (int c = 0; c < plan.dimensions; ++c) {
+      motion.x[c * n + i] += distance * plane.normal[c];
+      motion.v[c * n + i] += speed * plane.normal[c];
+    }
+  }
+}
+
 // Adds the work of the contact, in addition to the work of the forces. Returns whether anything touched.
 bool resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h) {
   if (obstacles.empty()) return false;
@@ -172,6 +193,7 @@ bool resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
   const std::span<const Obstacle> obstacles = find_obstacles(plan, before.time, h, before.obstacles);
   before.first_touch = before.first_impact = std::numeric_limits<double>::infinity();
+  if (before.velocity_lag != 0.0 && plan.collider_paths.any_moves) follow_planes(plan, before, h, motion);
   keep_on_planes(plan, before.time + h, motion);
   if (plan.surface.on) before.surface.begin_substep(plan, before.velocity_lag, before.is_limited ? &before.unlimited_v : nullptr, motion);
   const double energy = plan.pairs.on && before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;

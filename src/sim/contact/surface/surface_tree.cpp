@@ -117,6 +117,7 @@ void SurfaceTree::split(std::span<const Vec3> center, Index first, Index end) {
 
 void SurfaceTree::sort_features(const SurfacePlan& plan) {
   corners_.clear();
+  is_on_face_.clear();
   edges_.clear();
   for (Node& node : nodes_) {
     if (node.second != no_index) continue;
@@ -124,7 +125,10 @@ void SurfaceTree::sort_features(const SurfacePlan& plan) {
     node.edges.begin = static_cast<Index>(edges_.size());
     for (Index p = node.pieces.begin; p < node.pieces.end; ++p) {
       const SurfacePlan::Piece& piece = plan.pieces[pieces_[p]];
-      for (Index c = piece.first_corner; c < piece.end_corner; ++c) corners_.push_back(plan.corners[c]);
+      for (Index c = piece.first_corner; c < piece.end_corner; ++c) {
+        corners_.push_back(plan.corners[c]);
+        is_on_face_.push_back(piece.is_face ? 1 : 0);  // a face owns all its points that are on springs as well
+      }
       for (Index e = piece.first_edge; e < piece.end_edge; ++e) edges_.push_back(e);
     }
     node.corners.end = static_cast<Index>(corners_.size());
@@ -209,11 +213,12 @@ void SurfaceTree::visit_leaves(double reach, const Visit& visit) const {
 }
 
 // Those whose boxes are closer than `reach`.
-void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const char> left_out,
-                               PairsByKind& pairs) const {
+void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach,
+                               std::span<const LeftOut> left_out, PairsByKind& pairs) const {
   ClosePairs room;
-  const auto is_out = [&](std::span<const Index> points) {
-    return !left_out.empty() && std::ranges::any_of(points, [&](Index i) { return left_out[i] != 0; });
+  const auto is_out = [&](bool has_spring, std::span<const Index> points) {
+    const LeftOut least = has_spring ? LeftOut::Springs : LeftOut::All;
+    return !left_out.empty() && std::ranges::any_of(points, [&](Index i) { return left_out[i] >= least; });
   };
   const auto append = [&](FeaturePair kind, const std::array<Index, 4>& points, const std::array<Index, 2>& features) {
     SurfacePairs& to = pairs[static_cast<std::size_t>(kind)];
@@ -226,7 +231,7 @@ void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const
       const std::array corner{corners_[c]};
       const auto& face = piece_points_[p];
       if (is_face_[p] == 0 || share_point(corner, face) || (!plan.close.empty() && plan.excludes_face(corner[0], face))) continue;
-      if (is_out(corner) && is_out(face)) continue;
+      if (is_out(is_on_face_[c] == 0, corner) && is_out(is_on_face_[c] == 0, face)) continue;
       append(FeaturePair::PointFace, {corner[0], face[0], face[1], face[2]}, {pieces_[p], no_index});
     }
   };
@@ -236,7 +241,9 @@ void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const
   const bool has_links = !plan.close.empty() || !plan.joined.empty() || !plan.radius.empty();
   for (const auto& [e, f] : find_close({edge_boxes_, first.edges, first.box}, {edge_boxes_, second.edges, second.box}, reach, room)) {
     const EdgeEnds &one = edge_ends_[e], &other = edge_ends_[f];
-    if (share_point(one, other) || (has_links && plan.excludes_edge(edges_[e], edges_[f])) || (is_out(one) && is_out(other))) continue;
+    const bool has_spring = (plan.is_spring[edges_[e]] | plan.is_spring[edges_[f]]) != 0;
+    if (share_point(one, other) || (has_links && plan.excludes_edge(edges_[e], edges_[f]))) continue;
+    if (is_out(has_spring, one) && is_out(has_spring, other)) continue;
     // spheres first
     const bool is_sphere = other[0] == other[1];
     const EdgeEnds &a = is_sphere ? other : one, &b = is_sphere ? one : other;
@@ -244,7 +251,7 @@ void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const
   }
 }
 
-bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
+bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out,
                              std::size_t max_pairs, PairsByKind& pairs, std::array<std::vector<double>, 2>& distances) const {
   for (SurfacePairs& each : pairs) each.resize(0);
   for (std::vector<double>& each : distances) each.clear();
@@ -278,7 +285,7 @@ bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, d
   return measured[0] + measured[1] <= max_pairs;
 }
 
-bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
+bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out,
                              std::vector<SurfacePair>& pairs, std::size_t max_pairs) const {
   PairsByKind found;
   std::array<std::vector<double>, 2> distances;

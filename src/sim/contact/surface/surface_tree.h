@@ -29,6 +29,13 @@ struct SurfacePairs {
 // Of both kinds.
 using PairsByKind = std::array<SurfacePairs, 2>;
 
+// How far the features at a point are left alone in a search of pairs with points on both sides that are.
+enum class LeftOut : char {
+  Nothing,
+  Springs,  // pairs of an edge, or a point, that is on no face
+  All,
+};
+
 struct SurfaceBox {
   Vec3 min{0.0}, max{0.0};
 
@@ -73,10 +80,10 @@ class SurfaceTree {
   // Sets `pairs` to the pairs of features that do not belong together, without those with points on both sides that are `left_out`, if
   // they are closer than `reach` [m], and `distances` to theirs, of spheres from their surface. Pairs are found in an order that depends
   // on the last `build` alone: with a longer reach, others come in between. False if there would be more than max_pairs.
-  bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out, std::size_t max_pairs,
+  bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out, std::size_t max_pairs,
                   PairsByKind& pairs, std::array<std::vector<double>, 2>& distances) const;
   // The same, as one list.
-  bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
+  bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out,
                   std::vector<SurfacePair>& pairs, std::size_t max_pairs) const;
   // Edges that pass through faces, without springs that others join to the face: they may pass its edges.
   Crossings find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const;
@@ -106,7 +113,7 @@ class SurfaceTree {
   void sort_features(const SurfacePlan& plan);
   void fit_features(std::span<const Vec3> x, Node& leaf);
   void fit_parents();
-  void append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const char> left_out,
+  void append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const LeftOut> left_out,
                     PairsByKind& pairs) const;
   template <class Visit>
   void visit_leaves(double reach, const Visit& visit) const;
@@ -117,8 +124,9 @@ class SurfaceTree {
   std::vector<Index> pieces_, corners_, edges_;
   std::vector<std::array<Index, 3>> piece_points_;
   std::vector<EdgeEnds> edge_ends_;
-  std::vector<char> is_face_;   // per piece
-  std::vector<double> radius_;  // [m], per point of the plan, of spheres; empty: there are none
+  std::vector<char> is_face_;     // per piece
+  std::vector<char> is_on_face_;  // per corner
+  std::vector<double> radius_;    // [m], per point of the plan, of spheres; empty: there are none
   SurfaceBoxes piece_boxes_, corner_boxes_, edge_boxes_;
 };
 
