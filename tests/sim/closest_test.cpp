@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 
 #include "sim/contact/closest.h"
-#include "sim/contact/closest_kernel.h"
 #include "sim/contact/surface/surface_tree.h"
 #include "support/crossings.h"
 #include "support/folds.h"

@@ -118,7 +118,7 @@ TEST(RestingPoints, HaveTheBitsOfThePointContactSolver) {
     hwy::GetChosenTarget().DeInit();
     Counts counts;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) compare(RandomStep(seed), counts);
-    EXPECT_GT(counts.solved, 3000) << hwy::TargetName(target);
+    EXPECT_GT(counts.solved, 2500) << hwy::TargetName(target);
     EXPECT_GT(counts.free, 5000) << hwy::TargetName(target);
   }
   hwy::SetSupportedTargetsForTest(0);

@@ -1,12 +1,10 @@
-// The closest points of two features, as a template over a number and a vector of numbers. Compiled once for each vector unit by Highway,
-// which picks one at run time; the same IEEE operations in every width.
+// Compiled once for each vector unit by Highway, which picks one at run time; the same IEEE operations in every width.
 #include "sim/contact/closest.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/closest_kernel.h"
 #include "sim/contact/constants.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -23,65 +21,35 @@ using Lanes = hn::ScalableTag<double>;
 using V = hn::Vec<Lanes>;
 using M = hn::Mask<Lanes>;
 
-template <class T>
-HWY_INLINE T number(double value) {
-  if constexpr (std::is_same_v<T, double>)
-    return value;
-  else
-    return hn::Set(Lanes(), value);
-}
-HWY_INLINE bool is_less(double a, double b) { return a < b; }
-HWY_INLINE M is_less(V a, V b) { return hn::Lt(a, b); }
-HWY_INLINE bool both(bool a, bool b) { return a && b; }
-HWY_INLINE M both(M a, M b) { return hn::And(a, b); }
-HWY_INLINE bool either(bool a, bool b) { return a || b; }
-HWY_INLINE M either(M a, M b) { return hn::Or(a, b); }
-HWY_INLINE bool is_all(bool a) { return a; }
-HWY_INLINE bool is_all(M a) { return hn::AllTrue(Lanes(), a); }
-HWY_INLINE double choose(bool is_first, double first, double second) { return is_first ? first : second; }
+HWY_INLINE V number(double value) { return hn::Set(Lanes(), value); }
 HWY_INLINE V choose(M is_first, V first, V second) { return hn::IfThenElse(is_first, first, second); }
-HWY_INLINE double root(double a) { return std::sqrt(a); }
-HWY_INLINE V root(V a) { return hn::Sqrt(a); }
-HWY_INLINE bool none(double) { return false; }
-HWY_INLINE M none(V a) { return hn::Lt(a, a); }
 
-template <class T>
 struct V3 {
-  T x, y, z;
+  V x, y, z;
 };
-template <class T>
-HWY_INLINE V3<T> minus(const V3<T>& a, const V3<T>& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class T>
-HWY_INLINE T dot(const V3<T>& a, const V3<T>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class T>
-HWY_INLINE T from_0_to_1(T value) {
-  const T zero = number<T>(0.0), one = number<T>(1.0);
-  return choose(is_less(value, zero), zero, choose(is_less(one, value), one, value));
+HWY_INLINE V3 minus(const V3& a, const V3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+HWY_INLINE V dot(const V3& a, const V3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+HWY_INLINE V from_0_to_1(V value) {
+  const V zero = number(0.0), one = number(1.0);
+  return choose(hn::Lt(value, zero), zero, choose(hn::Lt(one, value), one, value));
 }
 
-template <class T>
-struct ClosestOf {
-  T weight[4];
-  V3<T> separation;
-  T distance;
-  decltype(is_less(T(), T())) is_at_end;
+struct ClosestLanes {
+  V weight[4];
+  V3 separation;
+  V distance;
+  M is_at_end;
 };
 
-template <class T>
-HWY_INLINE void finish(const V3<T>* x, ClosestOf<T>& closest) {
-  const T* w = closest.weight;
+HWY_INLINE void finish(const V3* x, ClosestLanes& closest) {
+  const V* w = closest.weight;
   closest.separation = {w[0] * x[0].x + w[1] * x[1].x + w[2] * x[2].x + w[3] * x[3].x,
                         w[0] * x[0].y + w[1] * x[1].y + w[2] * x[2].y + w[3] * x[3].y,
                         w[0] * x[0].z + w[1] * x[1].z + w[2] * x[2].z + w[3] * x[3].z};
-  closest.distance = root(dot(closest.separation, closest.separation));
+  closest.distance = hn::Sqrt(dot(closest.separation, closest.separation));
 }
 
-template <class Mask, class T>
-HWY_INLINE void select(Mask is_second, const ClosestOf<T>& second, ClosestOf<T>& closest) {
+HWY_INLINE void select(M is_second, const ClosestLanes& second, ClosestLanes& closest) {
   for (int c = 0; c < 4; ++c) closest.weight[c] = choose(is_second, second.weight[c], closest.weight[c]);
   closest.separation = {choose(is_second, second.separation.x, closest.separation.x),
                         choose(is_second, second.separation.y, closest.separation.y),
@@ -90,53 +58,51 @@ HWY_INLINE void select(Mask is_second, const ClosestOf<T>& second, ClosestOf<T>&
 }
 
 // Of the point 0 and the side from A to B.
-template <int A, int B, class T>
-HWY_INLINE ClosestOf<T> closest_on_side(const V3<T>* x) {
-  const T zero = number<T>(0.0), one = number<T>(1.0);
-  const V3<T> side = minus(x[B], x[A]);
-  const T square = dot(side, side);
-  const T t = choose(is_less(zero, square), from_0_to_1(dot(minus(x[0], x[A]), side) / square), zero);
-  ClosestOf<T> closest{{one, zero, zero, zero}, {}, zero, none(zero)};
+template <int A, int B>
+HWY_INLINE ClosestLanes closest_on_side(const V3* x) {
+  const V zero = number(0.0), one = number(1.0);
+  const V3 side = minus(x[B], x[A]);
+  const V square = dot(side, side);
+  const V t = choose(hn::Lt(zero, square), from_0_to_1(dot(minus(x[0], x[A]), side) / square), zero);
+  ClosestLanes closest{{one, zero, zero, zero}, {}, zero, hn::Lt(zero, zero)};
   closest.weight[A] = zero - (one - t);
   closest.weight[B] = zero - t;
   finish(x, closest);
   return closest;
 }
 
-template <class T>
-HWY_INLINE ClosestOf<T> closest_point_face(const V3<T>* x) {
-  const T zero = number<T>(0.0), one = number<T>(1.0);
-  const V3<T> ab = minus(x[2], x[1]), ac = minus(x[3], x[1]), ap = minus(x[0], x[1]);
-  const T d1 = dot(ab, ap), d2 = dot(ac, ap), bb = dot(ab, ab), bc = dot(ab, ac), cc = dot(ac, ac);
-  const T denominator = bb * cc - bc * bc, v = cc * d1 - bc * d2, w = bb * d2 - bc * d1;
-  const auto is_inside = both(both(is_less(zero, v), is_less(zero, w)), is_less(v + w, denominator));
-  const T b1 = v / denominator, b2 = w / denominator;
-  ClosestOf<T> inside{{one, zero - (one - b1 - b2), zero - b1, zero - b2}, {}, zero, none(zero)};
+HWY_INLINE ClosestLanes closest_point_face(const V3* x) {
+  const V zero = number(0.0), one = number(1.0);
+  const V3 ab = minus(x[2], x[1]), ac = minus(x[3], x[1]), ap = minus(x[0], x[1]);
+  const V d1 = dot(ab, ap), d2 = dot(ac, ap), bb = dot(ab, ab), bc = dot(ab, ac), cc = dot(ac, ac);
+  const V denominator = bb * cc - bc * bc, v = cc * d1 - bc * d2, w = bb * d2 - bc * d1;
+  const auto is_inside = hn::And(hn::And(hn::Lt(zero, v), hn::Lt(zero, w)), hn::Lt(v + w, denominator));
+  const V b1 = v / denominator, b2 = w / denominator;
+  ClosestLanes inside{{one, zero - (one - b1 - b2), zero - b1, zero - b2}, {}, zero, hn::Lt(zero, zero)};
   finish(x, inside);
-  if (is_all(is_inside)) return inside;
+  if (hn::AllTrue(Lanes(), is_inside)) return inside;
 
-  ClosestOf<T> closest = closest_on_side<1, 2>(x);
-  const ClosestOf<T> second = closest_on_side<2, 3>(x), third = closest_on_side<3, 1>(x);
-  select(is_less(second.distance, closest.distance), second, closest);
-  select(is_less(third.distance, closest.distance), third, closest);
+  ClosestLanes closest = closest_on_side<1, 2>(x);
+  const ClosestLanes second = closest_on_side<2, 3>(x), third = closest_on_side<3, 1>(x);
+  select(hn::Lt(second.distance, closest.distance), second, closest);
+  select(hn::Lt(third.distance, closest.distance), third, closest);
   select(is_inside, inside, closest);
   return closest;
 }
 
-template <class T>
-HWY_INLINE ClosestOf<T> closest_edges(const V3<T>* x) {
-  const T zero = number<T>(0.0), one = number<T>(1.0);
-  const V3<T> first = minus(x[1], x[0]), second = minus(x[3], x[2]), r = minus(x[0], x[2]);
-  const T a = dot(first, first), b = dot(first, second), e = dot(second, second), c = dot(first, r), f = dot(second, r);
-  const T denominator = a * e - b * b;
-  T s = choose(is_less(zero, denominator), from_0_to_1((b * f - c * e) / denominator), zero);
-  T t = choose(is_less(zero, e), (b * s + f) / e, zero);
-  const auto is_beyond = either(is_less(t, zero), is_less(one, t));
-  const T end = from_0_to_1(t);
-  s = choose(is_beyond, choose(is_less(zero, a), from_0_to_1((b * end - c) / a), zero), s);
+HWY_INLINE ClosestLanes closest_edges(const V3* x) {
+  const V zero = number(0.0), one = number(1.0);
+  const V3 first = minus(x[1], x[0]), second = minus(x[3], x[2]), r = minus(x[0], x[2]);
+  const V a = dot(first, first), b = dot(first, second), e = dot(second, second), c = dot(first, r), f = dot(second, r);
+  const V denominator = a * e - b * b;
+  V s = choose(hn::Lt(zero, denominator), from_0_to_1((b * f - c * e) / denominator), zero);
+  V t = choose(hn::Lt(zero, e), (b * s + f) / e, zero);
+  const auto is_beyond = hn::Or(hn::Lt(t, zero), hn::Lt(one, t));
+  const V end = from_0_to_1(t);
+  s = choose(is_beyond, choose(hn::Lt(zero, a), from_0_to_1((b * end - c) / a), zero), s);
   t = choose(is_beyond, end, t);
-  const auto is_inside = both(both(is_less(zero, s), is_less(s, one)), both(is_less(zero, t), is_less(t, one)));
-  ClosestOf<T> closest{{one - s, s, zero - (one - t), zero - t}, {}, zero, is_less(choose(is_inside, zero, number<T>(-1.0)), zero)};
+  const auto is_inside = hn::And(hn::And(hn::Lt(zero, s), hn::Lt(s, one)), hn::And(hn::Lt(zero, t), hn::Lt(t, one)));
+  ClosestLanes closest{{one - s, s, zero - (one - t), zero - t}, {}, zero, hn::Lt(choose(is_inside, zero, number(-1.0)), zero)};
   finish(x, closest);
   return closest;
 }
@@ -157,8 +123,8 @@ struct Gathered {
       }
     }
   }
-  HWY_INLINE V3<V> at(int i, int p) const {
-    V3<V> at;
+  HWY_INLINE V3 at(int i, int p) const {
+    V3 at;
     V unused;
     hn::LoadInterleaved4(Lanes(), value[i][p], at.x, at.y, at.z, unused);
     return at;
@@ -176,14 +142,14 @@ void closest_of_block(FeaturePair kind, std::span<const Vec3> field, FeatureBloc
   Gathered gathered;
   gathered.gather(field, block, end);
   for (int p = 0; p < end; p += static_cast<int>(hn::Lanes(d))) {
-    const V3<V> x[4] = {gathered.at(0, p), gathered.at(1, p), gathered.at(2, p), gathered.at(3, p)};
-    const ClosestOf<V> closest = kind == FeaturePair::PointFace ? closest_point_face(x) : closest_edges(x);
+    const V3 x[4] = {gathered.at(0, p), gathered.at(1, p), gathered.at(2, p), gathered.at(3, p)};
+    const ClosestLanes closest = kind == FeaturePair::PointFace ? closest_point_face(x) : closest_edges(x);
     for (int c = 0; c < 4; ++c) hn::Store(closest.weight[c], d, block.weight[c] + p);
     hn::Store(closest.separation.x, d, block.separation[0] + p);
     hn::Store(closest.separation.y, d, block.separation[1] + p);
     hn::Store(closest.separation.z, d, block.separation[2] + p);
     hn::Store(closest.distance, d, block.distance + p);
-    hn::Store(choose(closest.is_at_end, number<V>(1.0), number<V>(0.0)), d, block.is_at_end + p);
+    hn::Store(choose(closest.is_at_end, number(1.0), number(0.0)), d, block.is_at_end + p);
   }
 }
 
@@ -194,14 +160,11 @@ HWY_AFTER_NAMESPACE();
 namespace hooke {
 
 Closest closest_points(FeaturePair kind, const FourPoints& x) {
-  using namespace HWY_NAMESPACE;
-  using P = V3<double>;
-  const P points[4] = {{x[0].x, x[0].y, x[0].z}, {x[1].x, x[1].y, x[1].z}, {x[2].x, x[2].y, x[2].z}, {x[3].x, x[3].y, x[3].z}};
-  const ClosestOf<double> closest = kind == FeaturePair::PointFace ? closest_point_face(points) : closest_edges(points);
-  return {.weight = {closest.weight[0], closest.weight[1], closest.weight[2], closest.weight[3]},
-          .separation = {closest.separation.x, closest.separation.y, closest.separation.z},
-          .distance = closest.distance,
-          .is_at_end = closest.is_at_end};
+  FeatureBlock block;
+  block.points[0] = {0, 1, 2, 3};
+  block.count = 1;
+  find_closest(kind, x, block);
+  return block.closest(0);
 }
 
 double free_part(FeaturePair kind, const FourPoints& x, const FourPoints& displacement, double distance, long& steps) {

@@ -9,7 +9,6 @@
 #include "sim/contact/contact_work.h"
 #include "sim/contact/one_way.h"
 #include "sim/contact/point_contact.h"
-#include "sim/contact/rounding.h"
 #include "sim/forces/bands.h"
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/spring_limits.h"
@@ -18,22 +17,15 @@
 namespace hooke {
 namespace {
 
-// of point i, whose components are `n` apart
-Vec3 vector_at(const Field& field, std::size_t n, std::size_t i, int dimensions) {
-  return {field[i], field[n + i], dimensions == 3 ? field[2 * n + i] : 0.0};
-}
-
 // [J], that moved points out of colliders: the difference of the energy with and without these displacements.
-double push_work(const Plan& plan, const ContactWorkspace& before, double h, Motion& motion) {
+double push_work(const Plan& plan, ContactWorkspace& before, double h, const Motion& motion) {
   const auto n = static_cast<std::size_t>(plan.points);
+  before.without_push = motion.x;
+  for (std::size_t i = 0; i < n; ++i)
+    for (int c = 0; before.outcome[i] == RestingPoints::Open && c < plan.dimensions; ++c)
+      before.without_push[c * n + i] -= before.push_out[i][c];
   const double middle = before.time + 0.5 * h;  // as in PowerWork
-  const double energy = potential_energy(plan, middle, motion.x);
-  for (const ContactWorkspace::Pushed& each : before.pushed)
-    for (int c = 0; c < plan.dimensions; ++c) motion.x[c * n + each.point] -= each.displacement[c];
-  const double without = potential_energy(plan, middle, motion.x);
-  for (const ContactWorkspace::Pushed& each : before.pushed)
-    for (int c = 0; c < plan.dimensions; ++c) motion.x[c * n + each.point] = each.position[c];
-  return energy - without;
+  return potential_energy(plan, middle, motion.x) - potential_energy(plan, middle, before.without_push);
 }
 
 // [J], by how much more kinetic energy points with the velocities v have at the velocity that belongs to their position, up to a constant.
@@ -66,9 +58,10 @@ double sum_of(std::span<const double> numbers) {
 // Points against the obstacles, each by itself: consecutive points may be solved on one thread, and others on another.
 class PointPass {
  public:
-  // [s], since the start of the substep, of the points solved; infinity: none
   struct Touches {
+    // [s], since the start of the substep, of the points solved; infinity: none
     double first_touch = std::numeric_limits<double>::infinity(), first_impact = std::numeric_limits<double>::infinity();
+    bool any = false, any_pushed = false;
   };
 
   PointPass(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h)
@@ -79,64 +72,45 @@ class PointPass {
 
   static constexpr std::size_t block = RestingPoints::max;
 
-  // The points of a block. Leaves those Open that start inside an obstacle: they are solved by solve_open_points.
   void solve_block(std::size_t number, Touches& touches) const {
     const std::size_t first = number * block, end = std::min(n_, first + block);
     // most points that touch rest or slide: these at once, but for those that keep the path of the method under friction
     RestingPoints resting{.outcome = before_.outcome.data() + first, .work = before_.work.data() + first};
     if (!plan_.pairs.on && !plan_.collider_paths.any_moves && !keeps_path_) {
       solve_resting_points(plan_, h_, first, end, before_.x, before_.v, motion_.x, motion_.v, resting);
-      if (resting.any_solved) touches.first_touch = 0.0;
+      if (resting.any_solved) touches.first_touch = 0.0, touches.any = true;
     } else {
       std::fill_n(resting.outcome, end - first, RestingPoints::Open);
       std::fill_n(resting.work, end - first, 0.0);
       resting.any_open = true;
     }
-
-    ContactWorkspace::Block& result = before_.blocks[number] = {0.0, 0.0, resting.any_solved, false};
     for (std::size_t i = first; resting.any_open && i < end; ++i) {
       if (before_.outcome[i] != RestingPoints::Open) continue;
-      before_.outcome[i] = solve_point(i, nullptr, touches);
-      result.any_solved = result.any_solved || before_.outcome[i] == RestingPoints::Solved;
-      result.any_open = result.any_open || before_.outcome[i] == RestingPoints::Open;
-    }
-    if (!result.any_solved) return;
-    result.work = sum_of({before_.work.data() + first, end - first});
-    if (plan_.collider_paths.any_moves) result.supplied = sum_of({before_.supplied.data() + first, end - first});
-  }
-
-  // After all others, in the order of the points. Adds their work [J], and bounds on what colliders have supplied.
-  void solve_open_points(std::size_t number, Touches& touches, double& work, double& supplied) const {
-    for (std::size_t i = number * block; i < std::min(n_, (number + 1) * block); ++i) {
-      if (before_.outcome[i] != RestingPoints::Open) continue;
-      solve_point(i, &before_.pushed, touches);
-      work += before_.work[i];
-      if (plan_.collider_paths.any_moves) supplied += before_.supplied[i];
+      before_.push_out[i] = Vec3(0.0);
+      solve_point(static_cast<Index>(i), touches);
     }
   }
 
  private:
-  RestingPoints::Outcome solve_point(std::size_t i, std::vector<ContactWorkspace::Pushed>* pushed, Touches& touches) const {
-    if (plan_.inverse_mass[i] == 0.0 || (plan_.pairs.on && before_.pairs.has_resolved(static_cast<Index>(i)))) return RestingPoints::Free;
-    const int dimensions = plan_.dimensions;
-    const Vec3 x0 = vector_at(before_.x, n_, i, dimensions), x1 = vector_at(motion_.x, n_, i, dimensions);
-    const Vec3 v0 = vector_at(before_.v, n_, i, dimensions), v1 = vector_at(motion_.v, n_, i, dimensions);
+  void solve_point(Index i, Touches& touches) const {
+    if (plan_.inverse_mass[i] == 0.0 || (plan_.pairs.on && before_.pairs.has_resolved(i))) return;
+    const Vec3 x0 = vector_at(plan_, before_.x, i), x1 = vector_at(plan_, motion_.x, i);
+    const Vec3 v0 = vector_at(plan_, before_.v, i), v1 = vector_at(plan_, motion_.v, i);
     const double radius = plan_.radius[i], bulge = 0.125 * h_ * glm::length(v1 - v0);
     const auto is_near = [&](const Obstacle& obstacle) { return may_touch(obstacle, radius, x0, x1, bulge, h_); };
-    if (std::ranges::none_of(obstacles_, is_near)) return RestingPoints::Free;
+    if (std::ranges::none_of(obstacles_, is_near)) return;
 
     // the parabola through both positions with the mean acceleration of the step: its velocity starts ahead of v0
     const Vec3 a = (v1 - v0) / h_, velocity_correction = without_rounding(plan_, (x1 - x0) / h_ - v0 - 0.5 * h_ * a, x0, h_);
     PointContactSolver solver(obstacles_, radius, x0, v0, before_.velocity_lag, before_.friction_lag);
     solver.adhesion = plan_.force_data.sticky.strength * plan_.inverse_mass[i];
-    if (!solver.advance(a, velocity_correction, h_)) return RestingPoints::Free;
-    if (solver.push_out != Vec3(0.0)) {
-      if (pushed == nullptr) return RestingPoints::Open;
-      pushed->push_back({i, solver.x, solver.push_out});
-    }
+    if (!solver.advance(a, velocity_correction, h_)) return;
 
+    touches.any = true;
+    touches.any_pushed = touches.any_pushed || solver.push_out != Vec3(0.0);
     touches.first_touch = std::min(touches.first_touch, solver.first_touch);
     touches.first_impact = std::min(touches.first_impact, solver.first_impact);
+    before_.push_out[i] = solver.push_out;
     before_.work[i] = plan_.mass[i] * (solver.gained - glm::dot(a, solver.x - x0 - solver.push_out));
     if (plan_.collider_paths.any_moves) {
       double speed = 0.0;
@@ -144,11 +118,10 @@ class PointPass {
         if (is_near(obstacle)) speed = std::max(speed, max_surface_speed(obstacle, x0, h_));
       before_.supplied[i] = speed * plan_.mass[i] * (glm::length(solver.v - v1) + h_ * glm::length(a));
     }
-    for (int c = 0; c < dimensions; ++c) {
+    for (int c = 0; c < plan_.dimensions; ++c) {
       motion_.x[c * n_ + i] = solver.x[c];
       motion_.v[c * n_ + i] = solver.v[c];
     }
-    return RestingPoints::Solved;
   }
 
   const Plan& plan_;
@@ -165,14 +138,15 @@ class PointPass {
 void follow_planes(const Plan& plan, const ContactWorkspace& before, double h, Motion& motion) {
   const auto n = static_cast<std::size_t>(plan.points);
   for (const StickyContact& contact : plan.force_data.sticky.held) {
-    const auto i = static_cast<std::size_t>(contact.point), k = static_cast<std::size_t>(contact.collider);
+    const Index i = contact.point;
+    const auto k = static_cast<std::size_t>(contact.collider);
     const auto& plane = std::get<Plane>(plan.colliders[k].shape);
     const double acceleration = glm::dot(plane.normal, plan.colliders[k].path.acceleration(before.time));
-    const double own = glm::dot(plane.normal, vector_at(motion.a, n, i, plan.dimensions));
+    const double own = glm::dot(plane.normal, vector_at(plan, motion.a, i));
     if (std::abs(own - acceleration) > 1e-9 * std::abs(acceleration)) continue;
     const double end = before.time + h, height = glm::dot(plane.normal, plane.point + plan.offset_of(k, end)) + plan.radius[i];
-    const double distance = height - glm::dot(plane.normal, vector_at(motion.x, n, i, plan.dimensions));
-    const double speed = glm::dot(plane.normal, plan.velocity_of(k, end) - vector_at(motion.v, n, i, plan.dimensions));
+    const double distance = height - glm::dot(plane.normal, vector_at(plan, motion.x, i));
+    const double speed = glm::dot(plane.normal, plan.velocity_of(k, end) - vector_at(plan, motion.v, i));
     for (int c = 0; c < plan.dimensions; ++c) {
       motion.x[c * n + i] += distance * plane.normal[c];
       motion.v[c * n + i] += speed * plane.normal[c];
@@ -180,54 +154,45 @@ void follow_planes(const Plan& plan, const ContactWorkspace& before, double h, M
   }
 }
 
-// Adds the work of the contact, in addition to the work of the forces.
-void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h,
-                    bool& touched) {
-  if (obstacles.empty()) return;
+// Adds the work of the contact, in addition to the work of the forces. Returns whether anything touched.
+bool resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h) {
+  if (obstacles.empty()) return false;
   const auto n = static_cast<std::size_t>(plan.points);
-  const std::size_t blocks = (n + PointPass::block - 1) / PointPass::block;
   before.outcome.resize(n);
   before.work.resize(n);
+  before.push_out.resize(n);
   if (plan.collider_paths.any_moves) before.supplied.assign(n, 0.0);
-  before.blocks.resize(blocks);
   const PointPass pass(plan, obstacles, before, motion, h);
   const double energy = before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
 
   // blocks of points on as many threads as there are
   constexpr Index min_blocks = 2;  // some microseconds
+  const auto blocks = static_cast<Index>((n + PointPass::block - 1) / PointPass::block);
   std::array<PointPass::Touches, max_parts> touches;
-  const int parts = for_parts(plan, static_cast<Index>(blocks), min_blocks, [&](int part, Index first, Index end) {
+  const int parts = for_parts(plan, blocks, min_blocks, [&](int part, Index first, Index end) {
     for (Index number = first; number < end; ++number) pass.solve_block(static_cast<std::size_t>(number), touches[part]);
   });
+  PointPass::Touches all;
+  for (const PointPass::Touches& each : std::span(touches).first(static_cast<std::size_t>(parts))) {
+    all.any = all.any || each.any;
+    all.any_pushed = all.any_pushed || each.any_pushed;
+    before.first_touch = std::min(before.first_touch, each.first_touch);
+    before.first_impact = std::min(before.first_impact, each.first_impact);
+  }
+  if (!all.any) return false;
 
-  // sums in the order of the blocks
-  double work = 0.0, supplied = 0.0;
-  for (std::size_t number = 0; number < blocks; ++number) {
-    const ContactWorkspace::Block& block = before.blocks[number];
-    if (!block.any_solved && !block.any_open) continue;
-    touched = true;
-    work += block.work;
-    supplied += block.supplied;
-    if (block.any_open) pass.solve_open_points(number, touches[0], work, supplied);
-  }
-  for (int part = 0; part < parts; ++part) {
-    before.first_touch = std::min(before.first_touch, touches[part].first_touch);
-    before.first_impact = std::min(before.first_impact, touches[part].first_impact);
-  }
-  const double pushed = before.pushed.empty() ? 0.0 : push_work(plan, before, h, motion);
+  const double pushed = all.any_pushed ? push_work(plan, before, h, motion) : 0.0;
   motion.energy.add(EnergyCause::Colliders, pushed);
-  if (before.is_limited) work = energy_of_limited(plan, before, h, motion) - pushed - energy;
-  book_contact_work(work, {.by_colliders = supplied}, motion);
+  const double work = before.is_limited ? energy_of_limited(plan, before, h, motion) - pushed - energy : sum_of(before.work);
+  book_contact_work(work, {.by_colliders = plan.collider_paths.any_moves ? sum_of(before.supplied) : 0.0}, motion);
+  return true;
 }
 
 }  // namespace
 
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
-  const auto n = static_cast<std::size_t>(plan.points);
   const std::span<const Obstacle> obstacles = find_obstacles(plan, before.time, h, before.obstacles);
   before.first_touch = before.first_impact = std::numeric_limits<double>::infinity();
-  before.pushed.clear();
-  before.pushed.reserve(n);
   if (before.velocity_lag != 0.0 && plan.collider_paths.any_moves) follow_planes(plan, before, h, motion);
   keep_on_planes(plan, before.time + h, motion);
   if (plan.surface.on) before.surface.begin_substep(plan, before.velocity_lag, before.is_limited ? &before.unlimited_v : nullptr, motion);
@@ -239,7 +204,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     before.first_touch = before.pairs.first_touch();
     before.first_impact = before.pairs.first_impact();
   }
-  resolve_points(plan, obstacles, before, motion, h, touched);
+  touched = resolve_points(plan, obstacles, before, motion, h) || touched;
   touched = rebound_from_walls(plan, before, h, motion) || touched;
   if (touched && !before.is_limited && before.works != nullptr) before.works->end_point_contact(plan, h, motion);
   const std::span<const PointPair> near = plan.pairs.on ? before.pairs.near() : std::span<const PointPair>();

@@ -26,22 +26,12 @@ struct ContactWorkspace {
   std::vector<Obstacle> obstacles;
   // [s], since the start of the substep, when the first point touched something, and when the first had an impact; infinity: none did
   double first_touch = 0.0, first_impact = 0.0;
-  // Points that were inside a collider before the substep, where they are after it, and how far they were moved out [m].
-  struct Pushed {
-    std::size_t point;
-    Vec3 position, displacement;
-  };
-  std::vector<Pushed> pushed;
   // Of each point: what became of it, and the work of the contact [J] in addition to the work of the forces.
   std::vector<RestingPoints::Outcome> outcome;
   std::vector<double> work;
-  std::vector<double> supplied;  // bounds on the part of it that colliders have supplied (contact_work.h); empty: they do not move
-  // Of each block of RestingPoints::max points: the sum of their work, without those that are Open.
-  struct Block {
-    double work, supplied;
-    bool any_solved, any_open;
-  };
-  std::vector<Block> blocks;
+  std::vector<double> supplied;      // bounds on the part of it that colliders have supplied (contact_work.h); empty: they do not move
+  std::vector<Vec3> push_out;        // [m], of each point, out of colliders in which it was before the substep
+  Field without_push;                // [m], positions after the substep without that
   const PowerWork* works = nullptr;  // of the step, if the method sweeps over dashpots
   PairSolver pairs;
   SurfaceSolver surface;

@@ -21,13 +21,7 @@ Gap gap_to(const Sphere& sphere, double radius, const Vec3& x) {
 Gap gap_to(const Box& box, double radius, const Vec3& x) {
   const Vec3 out = x - glm::clamp(x, box.min, box.max);
   const double length = glm::length(out);
-  if (length > 0.0) {
-    Gap gap{.distance = length - radius, .normal = out / length};
-    const int sides = (out.x != 0.0 ? 1 : 0) + (out.y != 0.0 ? 1 : 0) + (out.z != 0.0 ? 1 : 0);
-    if (sides >= 2 && radius > 0.0) gap.curvature = 1.0 / radius;
-    for (int c = 0; sides == 2 && c < 3; ++c) gap.straight[c] = out[c] == 0.0 ? 1.0 : 0.0;
-    return gap;
-  }
+  if (length > 0.0) return {.distance = length - radius, .normal = out / length};
 
   // inside: out through the nearest face
   Gap gap{.distance = -std::numeric_limits<double>::infinity()};
@@ -41,26 +35,6 @@ Gap gap_to(const Box& box, double radius, const Vec3& x) {
     }
   gap.distance -= radius;
   return gap;
-}
-
-bool may_touch(const Plane& plane, double inflated_radius, const Vec3& middle, const Vec3& half) {
-  const Vec3& n = plane.normal;
-  const double extent = std::abs(n.x * half.x) + std::abs(n.y * half.y) + std::abs(n.z * half.z);
-  return glm::dot(n, middle - plane.point) <= inflated_radius + extent;
-}
-
-bool may_touch(const Sphere& sphere, double inflated_radius, const Vec3& middle, const Vec3& half) {
-  const Vec3 out = middle - sphere.center;
-  const double extent = sphere.radius + inflated_radius + std::abs(half.x) + std::abs(half.y) + std::abs(half.z);
-  return glm::dot(out, out) <= extent * extent;
-}
-
-bool may_touch(const Box& box, double inflated_radius, const Vec3& middle, const Vec3& half) {
-  for (int c = 0; c < 3; ++c) {
-    const double extent = inflated_radius + std::abs(half[c]);
-    if (middle[c] < box.min[c] - extent || middle[c] > box.max[c] + extent) return false;
-  }
-  return true;
 }
 
 // When c + v t + a t^2 / 2, c >= 0, first goes below zero; in the form without cancellation.
@@ -79,42 +53,26 @@ std::optional<double> min_time_outside(const Gap& gap, const Parabola& path) {
   return first_zero_crossing(std::max(0.0, gap.distance), glm::dot(gap.normal, path.v), glm::dot(gap.normal, path.a));
 }
 
-// The same up to `time_limit`, with the curvature of a sphere: with d from its center, d.d grows by
-//   2 d.v t + (v.v + d.a) t^2 + v.a t^3 + a.a t^4 / 4  >=  2 d.v t + (v.v + d.a - |v.a| within) t^2.
-std::optional<double> min_time_outside(const Sphere& sphere, double radius, const Gap& gap, const Parabola& path, double time_limit) {
-  const Vec3 d = path.x - sphere.center;
-  const double c = std::max(0.0, gap.distance) * (glm::length(d) + sphere.radius + radius);
-  const double square = glm::dot(path.v, path.v) + glm::dot(d, path.a) - std::abs(glm::dot(path.v, path.a)) * time_limit;
-  return first_zero_crossing(c, 2.0 * glm::dot(d, path.v), 2.0 * square);
-}
-
 }  // namespace
 
 Gap gap_to(const Collider& collider, double radius, const Vec3& x) {
   return std::visit([&](const auto& shape) { return gap_to(shape, radius, x); }, collider.shape);
 }
 
-// The parts of a box are the faces, edges and corners that are nearest where each coordinate is below, between or above its limits. A path
-// is beyond a limit when it is so by the tolerance of contact.
-double time_on_part(const Collider& collider, const Gap& gap, const Parabola& path, double time_limit) {
+// A path is beyond the end of a face when it is so by the tolerance of contact.
+double time_on_face(const Collider& collider, const Parabola& path, double time_limit) {
   const auto* box = std::get_if<Box>(&collider.shape);
   if (box == nullptr) return time_limit;
   const double tolerance = contact_tolerance(path.x);
   double time = time_limit;
   for (int c = 0; c < 3; ++c) {
-    // from the tangent plane to the surface, the path moves along the normal: it reaches the limit sooner than it would in the plane
-    const double cosine = std::sqrt(std::max(0.0, 1.0 - gap.normal[c] * gap.normal[c]));
-    const double scale = gap.curvature > 0.0 && cosine > 0.0 ? 1.0 / cosine : 1.0;
-    const double x = path.x[c], v = scale * path.v[c], a = scale * path.a[c];
+    const double x = path.x[c];
     const auto pass = [&](double distance, double sign) {
-      if (const auto passed = first_zero_crossing(distance + tolerance, sign * v, sign * a)) time = std::min(time, *passed);
+      if (const auto passed = first_zero_crossing(distance + tolerance, sign * path.v[c], sign * path.a[c])) time = std::min(time, *passed);
     };
-    if (x >= box->min[c] && x <= box->max[c]) {
-      pass(box->max[c] - x, -1.0);
-      pass(x - box->min[c], 1.0);
-    } else if (gap.curvature > 0.0) {
-      x > box->max[c] ? pass(x - box->max[c], 1.0) : pass(box->min[c] - x, -1.0);
-    }
+    if (x < box->min[c] || x > box->max[c]) continue;
+    pass(box->max[c] - x, -1.0);
+    pass(x - box->min[c], 1.0);
   }
   return time;
 }
@@ -122,14 +80,11 @@ double time_on_part(const Collider& collider, const Gap& gap, const Parabola& pa
 double contact_tolerance(const Vec3& x) { return 1e-13 * (1.0 + std::abs(x.x) + std::abs(x.y) + std::abs(x.z)); }
 
 bool may_touch(const Collider& collider, double radius, const Vec3& from, const Vec3& to, double bulge) {
-  const Vec3 middle = 0.5 * (from + to), half = 0.5 * (to - from);
-  const double inflated_radius = radius + bulge + contact_tolerance(middle);
-  return std::visit([&](const auto& shape) { return may_touch(shape, inflated_radius, middle, half); }, collider.shape);
+  const Vec3 middle = 0.5 * (from + to);
+  return gap_to(collider, radius, middle).distance <= 0.5 * glm::length(to - from) + bulge + contact_tolerance(middle);
 }
 
 std::optional<double> first_impact(const Collider& collider, double radius, const Parabola& path, double time_limit) {
-  const auto* sphere = std::get_if<Sphere>(&collider.shape);
-
   // advance by the time that the path certainly stays outside, until it touches: effectively Newton's method, with quadratic convergence
   // where the path crosses the surface, and halving where it is tangential
   constexpr int max_steps = 128;
@@ -142,11 +97,7 @@ std::optional<double> first_impact(const Collider& collider, double radius, cons
     const bool touches = gap.distance <= contact_tolerance(remaining.x);
     if (touches && approach < 0.0) return t;
 
-    std::optional<double> outside = min_time_outside(gap, remaining);
-    if (outside && sphere != nullptr) {
-      const auto min_time_on_sphere = min_time_outside(*sphere, radius, gap, remaining, time_limit - t);
-      outside = min_time_on_sphere ? std::optional(std::max(*outside, *min_time_on_sphere)) : std::nullopt;
-    }
+    const std::optional<double> outside = min_time_outside(gap, remaining);
     if (!outside) return std::nullopt;
     if (touches && *outside == 0.0) return t;
     t += touches ? std::max(*outside, min_step) : *outside;

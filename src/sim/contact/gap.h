@@ -12,8 +12,7 @@ namespace hooke {
 struct Gap {
   double distance = 0.0;       // [m], negative inside
   Vec3 normal{0.0, 1.0, 0.0};  // outward, where the collider is nearest
-  double curvature = 0.0;      // [1/m], of the surface on which the center of the point slides
-  Vec3 straight{0.0};          // unit, along which that surface is not curved: the edge of a box that a point with a radius slides over
+  double curvature = 0.0;      // [1/m], of the ball on which the center of the point slides
 };
 
 // A path under constant acceleration: x + v t + a t^2 / 2.
@@ -29,9 +28,8 @@ Gap gap_to(const Collider& collider, double radius, const Vec3& x);
 // Gaps up to this [m] count as contact: round-off of a point placed on a surface.
 double contact_tolerance(const Vec3& x);
 
-// The time [s] up to `time_limit` after which another part of the collider is nearest to a path along it, that starts where the gap is
-// `gap`: a face of a box ends at its edges. On what is curved, the path goes along the tangent plane (PointContactSolver::follow_surface).
-double time_on_part(const Collider& collider, const Gap& gap, const Parabola& path, double time_limit);
+// The time [s] up to `time_limit` after which a path along a face of a box leaves it.
+double time_on_face(const Collider& collider, const Parabola& path, double time_limit);
 
 // False if a point that moves from `from` to `to`, deviating from the straight line by no more than `bulge` [m], certainly misses the
 // collider. Cheap, for the many points that are far from everything.

@@ -1,12 +1,19 @@
 #include "sim/contact/obstacle.h"
 
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "sim/contact/gap.h"
-#include "sim/contact/rounding.h"
 #include "sim/contact/supports.h"
 
 namespace hooke {
+
+Vec3 without_rounding(const Plan& plan, const Vec3& correction, const Vec3& x, double h) {
+  if (plan.collider_paths.resolving_step == std::numeric_limits<double>::infinity()) return correction;
+  constexpr double units = 4.0;
+  const double rounding = units * std::numeric_limits<double>::epsilon() * glm::length(x) / h;
+  return glm::length(correction) <= rounding ? Vec3(0.0) : correction;
+}
 
 std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double h, std::vector<Obstacle>& obstacles) {
   obstacles.resize(plan.colliders.size());

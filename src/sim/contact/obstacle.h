@@ -22,6 +22,10 @@ inline bool moves(const Obstacle& obstacle) { return obstacle.velocity != Vec3(0
 // The plan's colliders in the step of h that starts at `start`.
 std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double h, std::vector<Obstacle>& obstacles);
 
+// The correction [m/s] of a velocity by the difference of two positions about `x`, h [s] apart; zero where it is rounding. Impacts on a
+// collider that oscillates may need steps so short that their difference has lost most of its digits.
+Vec3 without_rounding(const Plan& plan, const Vec3& correction, const Vec3& x, double h);
+
 // False if the point certainly misses the obstacle on its path from x0 to x1, which deviates from the straight line by at most `bulge` [m].
 bool may_touch(const Obstacle& obstacle, double radius, const Vec3& x0, const Vec3& x1, double bulge, double h);
 

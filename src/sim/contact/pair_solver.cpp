@@ -9,11 +9,6 @@
 namespace hooke {
 namespace {
 
-Vec3 vector_in(const Plan& plan, const Field& field, Index i) {
-  const auto n = static_cast<std::size_t>(plan.points);
-  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
-}
-
 bool is_fixed(const Plan& plan, Index i) { return plan.inverse_mass[i] == 0.0; }
 
 // Touches examined and impulses of a substep: those of some hundred sweeps over what points touch in a heap.
@@ -64,8 +59,8 @@ bool PairSolver::measure(const Plan& plan, std::span<const Obstacle> obstacles, 
   free_.resize(plan.points);
   double sum = 0.0;
   for (Index i = 0; i < plan.points; ++i) {
-    const Vec3 from = vector_in(plan, x0, i), to = vector_in(plan, motion.x, i);
-    const double change = h * glm::length(vector_in(plan, motion.v, i) - vector_in(plan, v0, i)), bulge = 0.125 * change;
+    const Vec3 from = vector_at(plan, x0, i), to = vector_at(plan, motion.x, i);
+    const double change = h * glm::length(vector_at(plan, motion.v, i) - vector_at(plan, v0, i)), bulge = 0.125 * change;
     FreeMotion& free = free_[i];
     free.displacement = to - from;
     free.deviation = bulge + 3.0 * change;
@@ -84,7 +79,7 @@ bool PairSolver::measure(const Plan& plan, std::span<const Obstacle> obstacles, 
 bool PairSolver::is_covered(const Plan& plan, const Field& x0) const {
   if (margin_.empty() || margin_.size() != free_.size()) return false;
   for (Index i = 0; i < plan.points; ++i) {
-    const double moved = glm::length(vector_in(plan, x0, i) - vector_in(plan, found_at_, i));
+    const double moved = glm::length(vector_at(plan, x0, i) - vector_at(plan, found_at_, i));
     if (!(moved + std::max(free_[i].reach, wanted_[i]) <= margin_[i])) return false;
   }
   return true;
@@ -108,7 +103,7 @@ bool PairSolver::involve_pairs(const Plan& plan, const Field& x0) {
   bool any = false;
   for (const PointPair& pair : pairs_) {
     const FreeMotion &first = free_[pair.i], &second = free_[pair.j];
-    const double distance = glm::length(vector_in(plan, x0, pair.i) - vector_in(plan, x0, pair.j));
+    const double distance = glm::length(vector_at(plan, x0, pair.i) - vector_at(plan, x0, pair.j));
     const double approach = glm::length(first.displacement - second.displacement) + first.deviation + second.deviation;
     if (distance > touching_distance(plan, pair) + approach + contact_tolerance(Vec3(distance))) continue;
     is_involved_[pair.i] = is_involved_[pair.j] = 1;
@@ -124,14 +119,13 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
   watched_.clear();
   path_of_.assign(plan.points, no_path);
   const auto add_path = [&](Index i) {
-    if (path_of_[i] != no_path) return;
     path_of_[i] = simulation_.paths.size();
-    const Vec3 x = vector_in(plan, x0, i), v = vector_in(plan, v0, i);
+    const Vec3 x = vector_at(plan, x0, i), v = vector_at(plan, v0, i);
     PointPath path{.point = i, .inverse_mass = plan.inverse_mass[i], .x = x, .v = v};
     if (!is_fixed(plan, i)) {
-      const Vec3 change = vector_in(plan, motion.v, i) - v;
+      const Vec3 change = vector_at(plan, motion.v, i) - v;
       path.a = path.free_acceleration = change / h;
-      path.velocity_correction = (vector_in(plan, motion.x, i) - x) / h - v - 0.5 * change;
+      path.velocity_correction = (vector_at(plan, motion.x, i) - x) / h - v - 0.5 * change;
       path.v += path.velocity_correction;
       path.velocity_change = glm::length(change);
       path.start_x = x;
@@ -157,18 +151,27 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
       watched_.push_back(first ? pair : PointPair{pair.j, pair.i});
   }
   std::ranges::sort(watched_);
-  for (std::size_t p = 0; p < simulation_.paths.size(); ++p) {
+  const std::size_t points = simulation_.paths.size();
+  for (const Obstacle& obstacle : obstacles)
+    simulation_.paths.push_back({.x = obstacle.offset,
+                                 .v = obstacle.velocity + obstacle.velocity_correction,
+                                 .a = obstacle.acceleration,
+                                 .velocity_correction = obstacle.velocity_correction,
+                                 .velocity_change = h * glm::length(obstacle.acceleration)});
+  for (std::size_t p = 0; p < points; ++p) {
     const Index i = simulation_.paths[p].point;
     if (is_fixed(plan, i)) continue;
     for (const Obstacle& obstacle : obstacles) {
+      const auto number = static_cast<std::size_t>(&obstacle - obstacles.data());
       const double moved =
           h * (glm::length(obstacle.velocity_at(0.0)) + glm::length(obstacle.velocity_at(h)) + glm::length(obstacle.velocity_correction));
-      const Vec3 position = vector_in(plan, x0, i) - obstacle.offset_at(0.0);
+      const Vec3 position = vector_at(plan, x0, i) - obstacle.offset_at(0.0);
       if (gap_to(*obstacle.collider, plan.radius[i], position).distance > margin_[i] + moved) continue;
       simulation_.touches.push_back({.first = p,
+                                     .second = points + number,
                                      .obstacle = &obstacle,
                                      .point = i,
-                                     .other = -2 - static_cast<Index>(&obstacle - obstacles.data()),
+                                     .other = -2 - static_cast<Index>(number),
                                      .distance = plan.radius[i],
                                      .restitution = obstacle.collider->restitution,
                                      .friction = obstacle.collider->friction});
@@ -184,17 +187,17 @@ bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
   for (const std::size_t p : simulation_.changed()) {
     const PointPath& path = simulation_.paths[p];
     const Vec3 x = path.position(simulation_.time()), v = path.velocity(simulation_.time());
-    const Vec3 start = vector_in(plan, x0, path.point);
+    const Vec3 start = vector_at(plan, x0, path.point);
     const double length = left * (glm::length(v) + 0.5 * left * glm::length(path.a)) + 3.0 * h * path.velocity_change;
     const double reach = glm::length(x - start) + length;
-    if (glm::length(start - vector_in(plan, found_at_, path.point)) + reach > margin_[path.point]) {
+    if (glm::length(start - vector_at(plan, found_at_, path.point)) + reach > margin_[path.point]) {
       wanted_[path.point] = std::max(wanted_[path.point], reach);
       is_within = false;
     }
     for (auto at = std::ranges::lower_bound(watched_, path.point, {}, &PointPair::i); at != watched_.end() && at->i == path.point; ++at) {
       const PointPair& pair = *at;
       if (is_involved_[pair.j] != 0) continue;
-      const double distance = glm::length(x - vector_in(plan, x0, pair.j));
+      const double distance = glm::length(x - vector_at(plan, x0, pair.j));
       if (distance > touching_distance(plan, pair) + length + free_[pair.j].reach) continue;
       is_involved_[pair.j] = 1;
       is_within = false;
@@ -213,7 +216,7 @@ void PairSolver::write(const Plan& plan, double h, Motion& motion) {
     const Index i = path.point;
     is_held = is_held || plan.hand.held == i;
     if (!path.is_changed) continue;
-    const Vec3 v1 = vector_in(plan, motion.v, i), v = path.v - path.velocity_correction;
+    const Vec3 v1 = vector_at(plan, motion.v, i), v = path.v - path.velocity_correction;
     work_ += path.contact_work();
     impulses += plan.mass[i] * (glm::length(v - v1) + h * glm::length(path.free_acceleration));
     for (int c = 0; c < plan.dimensions; ++c) {

@@ -99,7 +99,7 @@ Supports PointContactSolver::find_supports(const Vec3& a, double duration) const
     const Vec3 surface = surface_velocity_of(obstacle, gap.normal);
     const Vec3 surface_acceleration =
         glm::cross(obstacle.collider->path.spin, surface - velocity - tangential(gap.normal, obstacle.collider->path.belt));
-    supports.items[supports.count++] = {&obstacle, gap.normal, gap.curvature, gap.straight, velocity, surface, surface_acceleration};
+    supports.items[supports.count++] = {&obstacle, gap.normal, gap.curvature, velocity, surface, surface_acceleration};
   }
   return supports;
 }
@@ -182,15 +182,14 @@ PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports,
 
   // on a curved surface up to where it no longer presses on the point, by the rate at which its force falls now, and at most an eighth of
   // its radius
-  const Vec3 across = tangential(carrier.straight, v - carrier.velocity);
+  const Vec3 along = v - carrier.velocity;
   const double falls =
-      carrier.curvature * (glm::dot(across, a - shape_acceleration) + 2.0 * glm::dot(across, segment.acceleration));  // [m/s^3]
+      carrier.curvature * (glm::dot(along, a - shape_acceleration) + 2.0 * glm::dot(along, segment.acceleration));  // [m/s^3]
   if (!segment.sticks && falls * segment.time > carrier.normal_acceleration) {
     segment.time = carrier.normal_acceleration / falls;
     segment.stops = false;
   }
-  const double arc_angle =
-      carrier.curvature * segment.time * (glm::length(v - carrier.velocity) + remaining * glm::length(segment.acceleration));
+  const double arc_angle = carrier.curvature * segment.time * (glm::length(along) + remaining * glm::length(segment.acceleration));
   if (arc_angle > 0.125) {
     segment.time *= 0.125 / arc_angle;
     segment.stops = false;
@@ -199,7 +198,7 @@ PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports,
   return segment;
 }
 
-// Advances by the segment, or up to where the part of a support ends on which the point rests or slides, or up to the first impact on
+// Advances by the segment, or up to where the face of a box ends on which the point rests or slides, or up to the first impact on
 // anything but its supports: then the segment ends there.
 const Obstacle* PointContactSolver::advance_segment(Segment& segment, const Supports& supports) {
   const auto relative_path = [&](const Obstacle& obstacle) {
@@ -208,8 +207,7 @@ const Obstacle* PointContactSolver::advance_segment(Segment& segment, const Supp
   const Obstacle* hit = nullptr;
   for (const Support& s : supports.all()) {
     if (!(s.normal_acceleration > 0.0) || moves(*s.obstacle)) continue;
-    const Gap gap{.normal = s.normal, .curvature = s.curvature};
-    segment.time = time_on_part(*s.obstacle->collider, gap, relative_path(*s.obstacle), segment.time);
+    segment.time = time_on_face(*s.obstacle->collider, relative_path(*s.obstacle), segment.time);
   }
   for (const Obstacle& obstacle : obstacles_) {
     if (supports.contains(&obstacle)) continue;
@@ -233,8 +231,7 @@ void PointContactSolver::follow_surface(const Segment& segment, const Vec3& star
   const Obstacle& obstacle = *surface.obstacle;
   const Vec3 shape_velocity = velocity_of(obstacle), relative_acceleration = a - obstacle.acceleration;
   const double radius = 1.0 / surface.curvature;
-  const Vec3 moved = x - start - (obstacle.offset_at(time_) - obstacle.offset_at(time_ - segment.time));
-  const Vec3 displacement = tangential(surface.straight, moved);
+  const Vec3 displacement = x - start - (obstacle.offset_at(time_) - obstacle.offset_at(time_ - segment.time));
   const double normal_displacement =
       -glm::dot(displacement, displacement) / (radius + std::sqrt(radius * radius - glm::dot(displacement, displacement)));
   x += normal_displacement * surface.normal;
@@ -286,7 +283,7 @@ void PointContactSolver::bounce(const Obstacle& obstacle, const Vec3& a, double 
   // all further bounces take 2 v / (N (1 - e)): if that is within the step, the point comes to rest
   const Vec3 relative_velocity = tangential_velocity + tangential(gap.normal, surface - shape_velocity);
   const double normal_acceleration =
-      -glm::dot(a - obstacle.acceleration, gap.normal) - centripetal_acceleration(gap.curvature, gap.straight, relative_velocity);
+      -glm::dot(a - obstacle.acceleration, gap.normal) - gap.curvature * glm::dot(relative_velocity, relative_velocity);
   if (normal_acceleration > 0.0 && 2.0 * rebound <= remaining * normal_acceleration * (1.0 - collider.restitution)) rebound = 0.0;
   v = surface + tangential_velocity + rebound * gap.normal;
   if (rebound > 0.0) return;

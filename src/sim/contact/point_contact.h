@@ -56,13 +56,7 @@ class PointContactSolver {
   bool project_onto_supports(const Supports& supports);
   void bounce(const Obstacle& obstacle, const Vec3& a, double remaining);
 
-  Gap gap_to(const Obstacle& obstacle) const {
-    Gap gap = hooke::gap_to(*obstacle.collider, radius_, x - obstacle.offset_at(time_));
-    // around the edges of a moving box, points move in flights and impacts in turn
-    if (gap.curvature > 0.0 && moves(obstacle) && std::holds_alternative<Box>(obstacle.collider->shape))
-      gap.curvature = 0.0, gap.straight = Vec3(0.0);
-    return gap;
-  }
+  Gap gap_to(const Obstacle& obstacle) const { return hooke::gap_to(*obstacle.collider, radius_, x - obstacle.offset_at(time_)); }
   // Of the shape, and of its surface where the point is.
   Vec3 velocity_of(const Obstacle& obstacle) const {
     return obstacle.velocity_at(time_) + (applies_correction_ ? obstacle.velocity_correction : Vec3(0.0));

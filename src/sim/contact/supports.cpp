@@ -8,11 +8,6 @@ namespace hooke {
 
 Vec3 tangential(const Vec3& normal, const Vec3& w) { return w - glm::dot(w, normal) * normal; }
 
-double centripetal_acceleration(double curvature, const Vec3& straight, const Vec3& velocity) {
-  const Vec3 across = tangential(straight, velocity);
-  return curvature * glm::dot(across, across);
-}
-
 // Tried in turn: no support is loaded, one, two. If two are not enough, nothing moves.
 Vec3 constrain(std::span<Support> supports, const Vec3& a, const Vec3& v) {
   const auto separation = [&](const Support& s, const Vec3& w) {

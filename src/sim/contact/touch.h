@@ -12,7 +12,7 @@ namespace hooke {
 
 inline constexpr std::size_t no_path = std::numeric_limits<std::size_t>::max();
 
-// The path of a point through a substep: a parabola from `time` on.
+// The path of a point, or of an obstacle, through a substep: a parabola from `time` on.
 struct PointPath {
   Index point = no_index;
   double inverse_mass = 0.0;      // [1/kg]; 0: it follows its path whatever it touches
@@ -24,7 +24,6 @@ struct PointPath {
   // [m], [m/s], at the start of the substep, v with the correction that supports leave of it: what they balance is no motion that they stop
   Vec3 start_x{0.0}, start_v{0.0};
   bool is_changed = false;  // by contact
-  bool is_fixed = false;    // to an obstacle, for the rest of the substep
 
   Vec3 position(double t) const { return x + (t - time) * (v + 0.5 * (t - time) * a); }
   Vec3 velocity(double t) const { return v + (t - time) * a; }
@@ -42,7 +41,7 @@ struct PointPath {
 
 // A point and another point or an obstacle, which it touches where their distance is `distance`.
 struct Touch {
-  std::size_t first = no_path, second = no_path;  // paths; second: none for an obstacle
+  std::size_t first = no_path, second = no_path;  // paths, the second perhaps that of an obstacle
   const Obstacle* obstacle = nullptr;
   Index point = no_index, other = no_index;  // the first point, and the second or, from -2 down, the obstacle: the same in every substep
   double distance = 0.0;                     // [m]: for a pair, the sum of both radii and the thickness; for an obstacle, the radius
@@ -57,7 +56,7 @@ struct Touch {
   double gap = 0.0;           // [m]
   double curvature = 0.0;     // [1/m], of the path of the first about the second
   double min_velocity = 0.0;  // [m/s], that the first must reach along the normal, relative to the second
-  Vec3 surface{0.0};          // [m/s], of the obstacle
+  Vec3 surface{0.0};          // [m/s], of the surface of an obstacle relative to its shape
   ContactImpulse impulse;
 };
 

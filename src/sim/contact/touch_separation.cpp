@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/settle.h"
 #include "sim/contact/touch_simulation.h"
 
 namespace hooke {
@@ -10,7 +9,7 @@ namespace hooke {
 // Displacements that slowly separate overlaps larger than those that deferred impacts cause: by a fifth of the excess, and at most by a
 // tenth of the distance that the accelerations cover in the substep. Velocities do not change: nothing flies apart.
 void TouchSimulation::find_separation(double tolerance) {
-  separation_.assign(paths.size(), Vec3(0.0));
+  separation_.displacement.assign(paths.size(), Vec3(0.0));
   bool any = false;
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
@@ -20,9 +19,9 @@ void TouchSimulation::find_separation(double tolerance) {
     touch.surface = Vec3(0.0);
     any = any || touch.min_velocity > 0.0;
   }
-  separates_ = any;
+  separation_.any = any;
   if (!any) return;
-  impulses_ += settle(touches, active_, paths, h_ * tolerance, separation_);
+  settle(touches, active_, h_ * tolerance, separation_.displacement);
   change_pushed();
 }
 
@@ -32,28 +31,28 @@ void TouchSimulation::limit_separation() {
   // the forces change along the displacement
   constexpr double margin = 1.25, rounding = 1e-12;
   const std::size_t n = paths.size();
-  groups_.reset(n);
+  separation_.groups.reset(n);
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
-    if (touch.second == no_path || paths[touch.first].inverse_mass == 0.0 || paths[touch.second].inverse_mass == 0.0) continue;
-    groups_.join(static_cast<Index>(touch.first), static_cast<Index>(touch.second));
+    if (paths[touch.first].inverse_mass == 0.0 || paths[touch.second].inverse_mass == 0.0) continue;
+    separation_.groups.join(static_cast<Index>(touch.first), static_cast<Index>(touch.second));
   }
 
-  removed_.assign(n, 0.0);
-  needed_.assign(n, 0.0);
+  separation_.removed.assign(n, 0.0);
+  separation_.needed.assign(n, 0.0);
   for (std::size_t p = 0; p < n; ++p) {
     const PointPath& path = paths[p];
     if (path.inverse_mass == 0.0) continue;
-    const Index group = groups_.root(static_cast<Index>(p));
+    const Index group = separation_.groups.root(static_cast<Index>(p));
     const Vec3 force = (path.free_acceleration - gravity_) / path.inverse_mass;
-    removed_[group] -= path.contact_work();
-    const double round_off = rounding * glm::length(path.free_acceleration) / path.inverse_mass * glm::length(separation_[p]);
-    needed_[group] -= glm::dot(force, separation_[p]) + round_off;
+    separation_.removed[group] -= path.contact_work();
+    const double round_off = rounding * glm::length(path.free_acceleration) / path.inverse_mass * glm::length(separation_.displacement[p]);
+    separation_.needed[group] -= glm::dot(force, separation_.displacement[p]) + round_off;
   }
   for (std::size_t p = 0; p < n; ++p) {
-    const Index group = groups_.root(static_cast<Index>(p));
-    const double removed = std::max(0.0, removed_[group]), needed = margin * needed_[group];
-    if (needed > removed) separation_[p] *= removed / needed;
+    const Index group = separation_.groups.root(static_cast<Index>(p));
+    const double removed = std::max(0.0, separation_.removed[group]), needed = margin * separation_.needed[group];
+    if (needed > removed) separation_.displacement[p] *= removed / needed;
   }
 }
 

@@ -6,56 +6,45 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "sim/contact/settle.h"
+#include "sim/contact/constants.h"
 #include "sim/contact/supports.h"
 
 namespace hooke {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-// A touch is at rest if its speed of approach is below this multiple of the velocity change in the substep, and its gap below this multiple
-// of the distance that this change covers.
-constexpr double resting_speed = 2.0, rest_reach = 3.0;
-// An impact is deferred to the next substep if its speed is below this multiple of that change.
-constexpr double waiting_speed = 1.0;
+// A touch may be at rest if its gap is below this multiple of the distance that the velocity change in the substep covers.
+constexpr double rest_reach = 3.0;
 
 // The radius by which the shape is inflated.
-double inflation(const Touch& touch) { return touch.second != no_path ? 0.0 : touch.distance; }
+double inflation(const Touch& touch) { return touch.obstacle != nullptr ? touch.distance : 0.0; }
 
 }  // namespace
 
 const Collider& TouchSimulation::shape_of(const Touch& touch) const {
-  if (touch.second == no_path) return *touch.obstacle->collider;
+  if (touch.obstacle != nullptr) return *touch.obstacle->collider;
   std::get<Sphere>(ball_.shape).radius = touch.distance;
   return ball_;
 }
 
 // Of the first, as seen from the second.
 Parabola TouchSimulation::relative_path(const Touch& touch, double t) const {
-  const PointPath& first = paths[touch.first];
-  if (touch.second != no_path) {
-    const PointPath& second = paths[touch.second];
-    return {first.position(t) - second.position(t), first.velocity(t) - second.velocity(t), first.a - second.a};
-  }
-  const Obstacle& obstacle = *touch.obstacle;
-  return {first.position(t) - obstacle.offset_at(t), first.velocity(t) - obstacle.velocity_at(t) - obstacle.velocity_correction,
-          first.a - obstacle.acceleration};
+  const PointPath &first = paths[touch.first], &second = paths[touch.second];
+  return {first.position(t) - second.position(t), first.velocity(t) - second.velocity(t), first.a - second.a};
 }
 
 Vec3 TouchSimulation::relative_surface_velocity(const Touch& touch, const Vec3& normal, const Vec3& relative_position) const {
-  return touch.second != no_path ? Vec3(0.0) : hooke::relative_surface_velocity(*touch.obstacle, normal, relative_position);
+  return touch.obstacle != nullptr ? hooke::relative_surface_velocity(*touch.obstacle, normal, relative_position) : Vec3(0.0);
 }
 
 // A bound on what the accelerations change of the relative velocity during the substep [m/s].
 double TouchSimulation::velocity_change(const Touch& touch) const {
-  const double second = touch.second != no_path ? paths[touch.second].velocity_change : h_ * glm::length(touch.obstacle->acceleration);
-  return paths[touch.first].velocity_change + second;
+  return paths[touch.first].velocity_change + paths[touch.second].velocity_change;
 }
 
 // Speeds of approach below this count as zero [m/s].
 double TouchSimulation::quiet_speed(const Touch& touch) const {
-  const Vec3 second = touch.second != no_path ? paths[touch.second].v : touch.obstacle->velocity_at(time_);
-  return 1e-3 * velocity_change(touch) + 1e-12 * (glm::length(paths[touch.first].v) + glm::length(second));
+  return 1e-3 * velocity_change(touch) + 1e-12 * (glm::length(paths[touch.first].v) + glm::length(paths[touch.second].v));
 }
 
 // The speed of approach below which there is no restitution [m/s]: all bounces from the rebound e v on take 2 e v / (a (1 - e)).
@@ -68,7 +57,7 @@ double TouchSimulation::rest_speed(const Touch& touch) const {
 // The speed of approach at which there is no impact [m/s]. What is near at the start of the substep, and is pushed by an impact during it,
 // waits for the next substep, which settles all of it together.
 double TouchSimulation::ignored_speed(const Touch& touch) const {
-  return std::max(quiet_speed(touch), touch.waits ? waiting_speed * velocity_change(touch) : 0.0);
+  return std::max(quiet_speed(touch), touch.waits ? velocity_change(touch) : 0.0);
 }
 
 void TouchSimulation::begin(double h, const Vec3& gravity) {
@@ -80,9 +69,7 @@ void TouchSimulation::begin(double h, const Vec3& gravity) {
   any_touched_ = false;
   changed_.clear();
   is_listed_.assign(paths.size(), 0);
-  loads_.clear();
-  zone_.resize(paths.size());
-  std::iota(zone_.begin(), zone_.end(), 0);
+  memory_.now.clear();
   find_resting();
   if (!active_.empty()) rest();
   for (Touch& touch : touches) predict(touch);
@@ -91,7 +78,7 @@ void TouchSimulation::begin(double h, const Vec3& gravity) {
 
 void TouchSimulation::queue_impacts() {
   queue_.clear();
-  first_touch_of_path_.clear();
+  of_paths_.first.clear();
   for (std::size_t t = 0; t < touches.size(); ++t)
     if (touches[t].time <= h_) queue_.push_back({touches[t].time, t});
   std::ranges::make_heap(queue_, std::greater());
@@ -104,14 +91,13 @@ void TouchSimulation::find_resting() {
   for (std::size_t t = 0; t < touches.size(); ++t) {
     Touch& touch = touches[t];
     Parabola path = relative_path(touch, 0.0);
-    path.v -= paths[touch.first].velocity_correction;
-    path.v += touch.second != no_path ? paths[touch.second].velocity_correction : touch.obstacle->velocity_correction;
+    path.v -= paths[touch.first].velocity_correction - paths[touch.second].velocity_correction;
     const Gap gap = gap_to(shape_of(touch), inflation(touch), path.x);
     const double change = velocity_change(touch);
     touch.is_near = gap.distance <= contact_tolerance(path.x) + rest_reach * h_ * change;
     if (!touch.is_near) continue;
     const double velocity = glm::dot(gap.normal, path.v);
-    if (velocity < -std::max(quiet_speed(touch), resting_speed * change)) continue;
+    if (velocity < -std::max(quiet_speed(touch), contact::rest_speed * change)) continue;
     touch.normal = gap.normal;
     touch.gap = gap.distance;
     touch.curvature = gap.curvature;
@@ -120,16 +106,14 @@ void TouchSimulation::find_resting() {
   }
 }
 
-// Settles velocity_ at a time, of the motion or of the corrections.
-void TouchSimulation::settle_velocities(double t, bool is_correction, double tolerance) {
+// Settles velocity_, of the motion or of the corrections.
+void TouchSimulation::settle_velocities(bool is_correction, double tolerance) {
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
-    if (touch.second != no_path) continue;
-    const Vec3 position = paths[touch.first].x - touch.obstacle->offset_at(0.0);
-    touch.surface = is_correction ? touch.obstacle->velocity_correction
-                                  : touch.obstacle->velocity_at(t) + relative_surface_velocity(touch, touch.normal, position);
+    const Vec3 position = paths[touch.first].x - paths[touch.second].x;
+    touch.surface = is_correction ? Vec3(0.0) : relative_surface_velocity(touch, touch.normal, position);
   }
-  impulses_ += settle(touches, active_, paths, tolerance, velocity_);
+  settle(touches, active_, tolerance, velocity_);
   change_pushed();
 }
 
@@ -137,9 +121,9 @@ void TouchSimulation::settle_velocities(double t, bool is_correction, double tol
 void TouchSimulation::recall_loads() {
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
-    const auto load = std::ranges::lower_bound(last_, std::array{touch.point, touch.other}, {}, &Load::points);
-    if (load == last_.end() || load->points != std::array{touch.point, touch.other}) continue;
-    touch.impulse = {h_ / last_h_ * load->impulse.normal, h_ / last_h_ * tangential(touch.normal, load->impulse.friction)};
+    const auto load = std::ranges::lower_bound(memory_.last, std::array{touch.point, touch.other}, {}, &Load::points);
+    if (load == memory_.last.end() || load->points != std::array{touch.point, touch.other}) continue;
+    touch.impulse = {h_ / memory_.last_h * load->impulse.normal, h_ / memory_.last_h * tangential(touch.normal, load->impulse.friction)};
   }
 }
 
@@ -149,7 +133,7 @@ void TouchSimulation::change_pushed() {
     const Touch& touch = touches[k];
     if (touch.impulse.normal == 0.0) continue;
     change(touch.first);
-    if (touch.second != no_path) change(touch.second);
+    change(touch.second);
   }
 }
 
@@ -169,12 +153,12 @@ void TouchSimulation::rest() {
 
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].v - paths[p].velocity_correction;
   for (const std::size_t k : active_) reset(k, -std::max(0.0, touches[k].gap) / h_);
-  settle_velocities(0.0, false, rough);
+  settle_velocities(false, rough);
   for (const std::size_t p : changed_) paths[p].v = velocity_[p] + paths[p].velocity_correction;
 
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].velocity_correction;
   for (const std::size_t k : active_) reset(k, 0.0);
-  settle_velocities(0.0, true, rough);
+  settle_velocities(true, rough);
   for (const std::size_t p : changed_) {
     const Vec3 change = velocity_[p] - paths[p].velocity_correction;
     paths[p].v += change;
@@ -185,19 +169,19 @@ void TouchSimulation::rest() {
   // gap + h (v + v') / 2 >= 0 along the normal in the middle of the path, across which a slide on a ball leads: the force does no work
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
-    Vec3 v = paths[touch.first].v - paths[touch.first].velocity_correction;
-    v -= touch.second != no_path ? paths[touch.second].v - paths[touch.second].velocity_correction : touch.obstacle->velocity_at(0.0);
+    const Vec3 v =
+        paths[touch.first].v - paths[touch.first].velocity_correction - paths[touch.second].v + paths[touch.second].velocity_correction;
     touch.normal =
         glm::normalize(touch.normal + 0.5 * h_ * touch.curvature * tangential(touch.normal, v + 0.5 * h_ * relative_path(touch, 0.0).a));
     reset(k, std::min(0.0, -2.0 * std::max(0.0, touch.gap) / h_ - glm::dot(touch.normal, v)));
   }
   recall_loads();
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].v - paths[p].velocity_correction + h_ * paths[p].a;
-  settle_velocities(h_, false, fine);
+  settle_velocities(false, fine);
   for (const std::size_t p : changed_) paths[p].a = (velocity_[p] - (paths[p].v - paths[p].velocity_correction)) / h_;
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
-    if (touch.impulse.normal > 0.0) loads_.push_back({{touch.point, touch.other}, touch.impulse});
+    if (touch.impulse.normal > 0.0) memory_.now.push_back({{touch.point, touch.other}, touch.impulse});
   }
   find_separation(rough);
 }
@@ -221,7 +205,7 @@ void TouchSimulation::predict(Touch& touch) const {
   ++tests_;
   touch.time = never;
   touch.waits = touch.is_near && impacts_ > 0;
-  if (touch.is_at_rest || (touch.second != no_path && zone_[touch.first] == zone_[touch.second])) return;
+  if (touch.is_at_rest) return;
   const Parabola path = relative_path(touch, time_);
   const Collider& shape = shape_of(touch);
   const Gap gap = gap_to(shape, inflation(touch), path.x);
@@ -242,30 +226,23 @@ bool TouchSimulation::advance() {
     std::ranges::pop_heap(queue_, std::greater());
     queue_.pop_back();
   }
-  if (queue_.empty()) {
+  if (queue_.empty() || impacts_ > 2 * max_impacts()) {
     for (PointPath& path : paths) path.advance(h_);
-    if (!active_.empty() && separates_) {
+    if (!active_.empty() && separation_.any) {
       limit_separation();
-      for (std::size_t p = 0; p < paths.size(); ++p) paths[p].x += separation_[p];
+      for (std::size_t p = 0; p < paths.size(); ++p) paths[p].x += separation_.displacement[p];
     }
     time_ = h_;
     leave_obstacles();
-    std::ranges::sort(loads_, {}, &Load::points);
-    std::swap(last_, loads_);
-    last_h_ = h_;
+    std::ranges::sort(memory_.now, {}, &Load::points);
+    std::swap(memory_.last, memory_.now);
+    memory_.last_h = h_;
     return false;
   }
-  Touch& next = touches[queue_.front().touch];
-  time_ = next.time;
+  time_ = queue_.front().time;
   ++impacts_;
-  ++impulses_;
   find_impacts_with(queue_.front().touch);
-  if (impacts_ > 2 * max_impacts())
-    freeze(next);
-  else if (together_.size() > 1)
-    respond_to_all();
-  else
-    respond(next);
+  respond();
   predict_changed();
   return true;
 }
@@ -273,10 +250,10 @@ bool TouchSimulation::advance() {
 // Predicts the next impacts of the touches of paths that changed.
 void TouchSimulation::predict_changed() {
   if (changed_.empty()) return;
-  if (first_touch_of_path_.empty()) list_touches_of_paths();
+  if (of_paths_.first.empty()) list_touches_of_paths();
   for (const std::size_t p : changed_)
-    for (std::size_t k = first_touch_of_path_[p]; k < first_touch_of_path_[p + 1]; ++k) {
-      const std::size_t t = touches_of_path_[k];
+    for (std::size_t k = of_paths_.first[p]; k < of_paths_.first[p + 1]; ++k) {
+      const std::size_t t = of_paths_.touches[k];
       Touch& touch = touches[t];
       // once, if both of its paths changed
       if (touch.second == p && is_listed_[touch.first] != 0) continue;
@@ -289,100 +266,29 @@ void TouchSimulation::predict_changed() {
 }
 
 void TouchSimulation::list_touches_of_paths() {
-  first_touch_of_path_.assign(paths.size() + 1, 0);
+  of_paths_.first.assign(paths.size() + 1, 0);
   const auto visit = [&](auto&& see) {
     for (std::size_t t = 0; t < touches.size(); ++t) {
       see(touches[t].first, t);
-      if (touches[t].second != no_path) see(touches[t].second, t);
+      see(touches[t].second, t);
     }
   };
-  visit([&](std::size_t p, std::size_t) { ++first_touch_of_path_[p + 1]; });
-  std::partial_sum(first_touch_of_path_.begin(), first_touch_of_path_.end(), first_touch_of_path_.begin());
-  touches_of_path_.resize(first_touch_of_path_.back());
-  std::vector<std::size_t>& end = end_of_path_;
-  end.assign(first_touch_of_path_.begin(), first_touch_of_path_.end() - 1);
-  visit([&](std::size_t p, std::size_t t) { touches_of_path_[end[p]++] = t; });
+  visit([&](std::size_t p, std::size_t) { ++of_paths_.first[p + 1]; });
+  std::partial_sum(of_paths_.first.begin(), of_paths_.first.end(), of_paths_.first.begin());
+  of_paths_.touches.resize(of_paths_.first.back());
+  std::vector<std::size_t>& end = of_paths_.end;
+  end.assign(of_paths_.first.begin(), of_paths_.first.end() - 1);
+  visit([&](std::size_t p, std::size_t t) { of_paths_.touches[end[p]++] = t; });
 }
 
 // Removes what rounding, and forces that are not quite those of rest, leave.
 void TouchSimulation::leave_obstacles() {
   for (const Touch& touch : touches) {
     PointPath& path = paths[touch.first];
-    if (touch.second != no_path || !path.is_changed) continue;
-    const Vec3 position = path.x - touch.obstacle->offset_at(h_);
+    if (touch.obstacle == nullptr || !path.is_changed) continue;
+    const Vec3 position = path.x - paths[touch.second].x;
     const Gap gap = gap_to(shape_of(touch), inflation(touch), position);
     if (gap.distance < -contact_tolerance(position)) path.x -= gap.distance * gap.normal;
-  }
-}
-
-void TouchSimulation::respond(Touch& touch) {
-  touch.time = never;
-  PointPath& first = paths[touch.first];
-  first.advance(time_);
-  if (touch.second != no_path) paths[touch.second].advance(time_);
-  const Parabola path = relative_path(touch, time_);
-  const Vec3 normal = gap_to(shape_of(touch), inflation(touch), path.x).normal;
-  const double approach = -glm::dot(normal, path.v);
-  if (approach <= ignored_speed(touch)) return;
-  first_impact_ = std::min(first_impact_, time_);
-
-  const double restitution = approach <= rest_speed(touch) ? 0.0 : touch.restitution;
-  const double weight = first.inverse_mass + (touch.second != no_path ? paths[touch.second].inverse_mass : 0.0);
-  // what does not rebound leaves so slowly that the accelerations bring it back at the end of the substep
-  const double hop = std::clamp(-0.5 * (h_ - time_) * glm::dot(normal, path.a), 0.0, approach);
-  const double normal_impulse = (approach + std::max(restitution * approach, hop)) / weight;
-  const Vec3 slip = tangential(normal, path.v - relative_surface_velocity(touch, normal, path.x));
-  ContactImpulse none;
-  const Vec3 impulse = change_impulse(none, normal_impulse, normal, touch.friction, slip, weight);
-
-  if (restitution == 0.0) remove_correction(touch, normal);
-  first.v += first.inverse_mass * impulse;
-  change(touch.first);
-  if (touch.second == no_path) return;
-  paths[touch.second].v -= paths[touch.second].inverse_mass * impulse;
-  change(touch.second);
-}
-
-// Fixes two points, with all those that they are fixed to, to each other or to the obstacle: an inelastic impact of all of them.
-void TouchSimulation::freeze(Touch& touch) {
-  touch.time = never;
-  const std::size_t zone = zone_[touch.first], other_zone = touch.second != no_path ? zone_[touch.second] : zone;
-  const auto is_member = [&](std::size_t p) { return zone_[p] == zone || zone_[p] == other_zone; };
-  double mass = 0.0;
-  Vec3 v(0.0), a(0.0), correction(0.0);
-  int held = 0;
-  for (std::size_t p = 0; p < paths.size(); ++p) {
-    if (!is_member(p)) continue;
-    PointPath& path = paths[p];
-    path.advance(time_);
-    if (path.inverse_mass == 0.0 || path.is_fixed) {
-      // all that are held in a zone have the same velocity
-      held = (zone_[p] == zone ? 1 : 2) | held;
-      v = path.v, a = path.a, correction = path.velocity_correction;
-    }
-  }
-  // between two that are held nothing can change
-  if (held == 3 || (held != 0 && touch.second == no_path)) return;
-  if (touch.second == no_path) {
-    v = touch.obstacle->velocity_at(time_) + touch.obstacle->velocity_correction;
-    a = touch.obstacle->acceleration;
-    correction = touch.obstacle->velocity_correction;
-  } else if (held == 0) {
-    for (std::size_t p = 0; p < paths.size(); ++p) {
-      if (!is_member(p)) continue;
-      const double m = 1.0 / paths[p].inverse_mass;
-      mass += m;
-      v += m * paths[p].v, a += m * paths[p].a, correction += m * paths[p].velocity_correction;
-    }
-    v /= mass, a /= mass, correction /= mass;
-  }
-  for (std::size_t p = 0; p < paths.size(); ++p) {
-    if (!is_member(p)) continue;
-    PointPath& path = paths[p];
-    path.v = v, path.a = a, path.velocity_correction = correction;
-    path.is_fixed = held != 0 || touch.second == no_path;
-    zone_[p] = std::min(zone, other_zone);
-    change(p);
   }
 }
 

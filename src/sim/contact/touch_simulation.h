@@ -11,10 +11,10 @@
 
 namespace hooke {
 
-// What touches without approaching at the start of the substep exerts constant forces during it (settle.h). Impacts follow at their times
+// What touches without approaching at the start of the substep exerts constant forces during it (`settle`). Impacts follow at their times
 // on the parabolas: restitution along the normal, and the Coulomb impulse. An impact so slow that all its further bounces would fall within
 // the substep has no restitution; what is pushed into others slowly waits for the next substep. Where impacts follow one another without
-// end, points that hit each other become fixed to each other for the rest of the substep, and move on with their common momentum.
+// end, they lose their restitution first, and then wait for the next substep, too.
 class TouchSimulation {
  public:
   void clear() {
@@ -26,7 +26,7 @@ class TouchSimulation {
   std::vector<Touch> touches;
 
   // Forgets the forces of the last substep, from which those of the next are found.
-  void begin_frame() { last_.clear(); }
+  void begin_frame() { memory_.last.clear(); }
   // Starts a substep of h [s] under `gravity` [m/s^2].
   void begin(double h, const Vec3& gravity);
   // Handles the next impact. False: there is none in this substep, and all points are at its end.
@@ -51,17 +51,16 @@ class TouchSimulation {
 
   void find_resting();
   void rest();
-  void settle_velocities(double t, bool is_correction, double tolerance);
+  void settle(std::span<Touch> some, std::span<const std::size_t> active, double tolerance, std::span<Vec3> v);
+  void settle_velocities(bool is_correction, double tolerance);
   void recall_loads();
   void find_separation(double tolerance);
   void limit_separation();
   void leave_obstacles();
   void predict(Touch& touch) const;
-  void respond(Touch& touch);
+  void respond();
   void remove_correction(const Touch& touch, const Vec3& normal);
   void find_impacts_with(std::size_t touch);
-  void respond_to_all();
-  void freeze(Touch& touch);
   void queue_impacts();
   void predict_changed();
   void list_touches_of_paths();
@@ -84,8 +83,11 @@ class TouchSimulation {
   mutable long tests_ = 0;
   long impulses_ = 0;
   bool any_touched_ = false;
-  std::vector<Load> last_, loads_;  // in ascending order
-  double last_h_ = 0.0;
+  struct Memory {
+    std::vector<Load> last, now;  // in ascending order
+    double last_h = 0.0;
+  };
+  Memory memory_;
   // The next impact of a touch: obsolete if the time of the touch is another one by now.
   struct Impact {
     double time = 0.0;  // [s], since the start
@@ -93,19 +95,29 @@ class TouchSimulation {
     auto operator<=>(const Impact&) const = default;
   };
   std::vector<Impact> queue_;  // a heap, the earliest first
-  // Per path: its touches are those of touches_of_path_ from this one to that of the next path. Empty before the first impact.
-  std::vector<std::size_t> first_touch_of_path_, touches_of_path_, end_of_path_;
-  std::vector<std::size_t> active_;                      // touches at rest at the start
-  std::vector<Touch> together_;                          // impacts at the same time
-  std::vector<std::size_t> together_of_, all_together_;  // their touches, and 0, 1, 2, ...
+  // Per path: its touches are those from `first` on to that of the next path. Empty before the first impact.
+  struct TouchesOfPaths {
+    std::vector<std::size_t> first, touches, end;
+  };
+  TouchesOfPaths of_paths_;
+  std::vector<std::size_t> active_;  // touches at rest at the start
+  // Impacts at the same time.
+  struct Together {
+    std::vector<Touch> touches;
+    std::vector<std::size_t> of, all;  // the touches that these are, and 0, 1, 2, ...
+  };
+  Together together_;
   std::vector<std::size_t> changed_;
-  std::vector<char> is_listed_;           // per path: in changed_
-  std::vector<Vec3> velocity_;            // per path, while they settle
-  std::vector<Vec3> separation_;          // [m], per path
-  bool separates_ = false;                // whether any of them is not zero
-  DisjointSets groups_;                   // paths that rest on each other
-  std::vector<double> removed_, needed_;  // [J], per group, at its first path: energy that contact removes, and that the separation needs
-  std::vector<std::size_t> zone_;         // per path: the first of those fixed to each other
+  std::vector<char> is_listed_;  // per path: in changed_
+  std::vector<Vec3> velocity_;   // per path, while they settle
+  // What overlaps.
+  struct Separation {
+    std::vector<Vec3> displacement;       // [m], per path
+    bool any = false;                     // whether any of them is not zero
+    DisjointSets groups;                  // paths that rest on each other
+    std::vector<double> removed, needed;  // [J], per group, at its first path: energy that contact removes, and that this needs
+  };
+  Separation separation_;
   mutable Collider ball_{.shape = Sphere{}};  // the second point of a pair
 };
 

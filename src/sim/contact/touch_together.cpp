@@ -1,71 +1,110 @@
-// The part of TouchSimulation that solves impacts at the same time together.
+// The part of TouchSimulation that solves what touches at the same time together.
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "sim/contact/settle.h"
 #include "sim/contact/touch_simulation.h"
 
 namespace hooke {
+namespace {
+
+void apply(const Touch& touch, const Vec3& impulse, std::span<const PointPath> paths, std::span<Vec3> v) {
+  v[touch.first] += paths[touch.first].inverse_mass * impulse;
+  v[touch.second] -= paths[touch.second].inverse_mass * impulse;
+}
+
+// The normal impulse, then friction within its cone. Returns the larger change of the relative velocity [m/s].
+double relax(Touch& touch, std::span<const PointPath> paths, std::span<Vec3> v) {
+  const double weight = paths[touch.first].inverse_mass + paths[touch.second].inverse_mass;
+  if (weight == 0.0) return 0.0;
+  const Vec3 velocity = v[touch.first] - v[touch.second] - touch.surface;
+  const double normal_velocity = glm::dot(touch.normal, velocity);
+  const ContactImpulse before = touch.impulse;
+  const double normal_impulse = std::max(0.0, before.normal + (touch.min_velocity - normal_velocity) / weight);
+  if (normal_impulse == 0.0 && before.normal == 0.0) return 0.0;
+  const Vec3 slip = velocity - normal_velocity * touch.normal;
+  apply(touch, change_impulse(touch.impulse, normal_impulse, touch.normal, touch.friction, slip, 1.0 / weight), paths, v);
+  return weight * std::max(std::abs(normal_impulse - before.normal), glm::length(touch.impulse.friction - before.friction));
+}
+
+}  // namespace
+
+// Changes the velocities v, one per path, by the impulses of the touches: along the normal the minimum for which no touch is slower than
+// its min_velocity, friction of up to its coefficient times that against the rest of the relative velocity. Impulses are equal and
+// opposite, so that momentum is conserved, and so is angular momentum without friction. Starts from the impulses in `some`, and leaves the
+// result there. Projected Gauss-Seidel, forward and backward in turn, until no relative velocity changes by more than `tolerance` [m/s].
+void TouchSimulation::settle(std::span<Touch> some, std::span<const std::size_t> active, double tolerance, std::span<Vec3> v) {
+  constexpr int max_sweeps = 200;
+  for (const std::size_t t : active) {
+    const Touch& touch = some[t];
+    if (touch.impulse.normal > 0.0) apply(touch, touch.impulse.normal * touch.normal + touch.impulse.friction, paths, v);
+  }
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+    double change = 0.0;
+    impulses_ += static_cast<long>(active.size());
+    for (std::size_t k = 0; k < active.size(); ++k)
+      change = std::max(change, relax(some[active[sweep % 2 == 0 ? k : active.size() - 1 - k]], paths, v));
+    if (!(change > tolerance)) break;
+  }
+}
 
 // Finds the impacts that are at the same time, within rounding, as that of a touch, and are linked to it by points that are not nailed.
 void TouchSimulation::find_impacts_with(std::size_t touch) {
   constexpr double near = 1e-6;  // [1], of the substep: more than rounding, before the distance is measured
-  together_.clear();
-  together_of_.assign(1, touch);
-  if (first_touch_of_path_.empty()) list_touches_of_paths();
-  for (std::size_t k = 0; k < together_of_.size(); ++k) {
-    Touch& next = touches[together_of_[k]];
+  together_.touches.clear();
+  together_.of.assign(1, touch);
+  if (of_paths_.first.empty()) list_touches_of_paths();
+  for (std::size_t k = 0; k < together_.of.size(); ++k) {
+    Touch& next = touches[together_.of[k]];
     const Parabola path = relative_path(next, time_);
-    const Gap gap = gap_to(shape_of(next), next.second != no_path ? 0.0 : next.distance, path.x);
+    const Gap gap = gap_to(shape_of(next), next.obstacle != nullptr ? next.distance : 0.0, path.x);
     const double approach = -glm::dot(gap.normal, path.v);
-    if (k > 0 && (approach <= ignored_speed(next) || approach * (next.time - time_) > contact_tolerance(path.x))) {
-      together_of_.erase(together_of_.begin() + static_cast<std::ptrdiff_t>(k--));
+    if (k == 0) next.time = std::numeric_limits<double>::infinity();
+    if (approach <= ignored_speed(next) || (k > 0 && approach * (next.time - time_) > contact_tolerance(path.x))) {
+      together_.of.erase(together_.of.begin() + static_cast<std::ptrdiff_t>(k--));
       continue;
     }
-    together_.push_back(next);
-    together_.back().normal = gap.normal;
-    if (approach <= rest_speed(next)) together_.back().restitution = 0.0;
-    // as in `respond`
+    together_.touches.push_back(next);
+    together_.touches.back().normal = gap.normal;
+    if (approach <= rest_speed(next)) together_.touches.back().restitution = 0.0;
+    // what does not rebound leaves so slowly that the accelerations bring it back at the end of the substep
     const double hop = std::clamp(-0.5 * (h_ - time_) * glm::dot(gap.normal, path.a), 0.0, std::max(0.0, approach));
-    together_.back().min_velocity = std::max(together_.back().restitution * approach, hop);
-    together_.back().impulse = {};
-    if (next.second == no_path)
-      together_.back().surface =
-          next.obstacle->velocity_at(time_) + next.obstacle->velocity_correction + relative_surface_velocity(next, gap.normal, path.x);
+    together_.touches.back().min_velocity = std::max(together_.touches.back().restitution * approach, hop);
+    together_.touches.back().impulse = {};
+    together_.touches.back().surface = relative_surface_velocity(next, gap.normal, path.x);
     for (const std::size_t p : {next.first, next.second}) {
-      if (p == no_path || paths[p].inverse_mass == 0.0) continue;
-      for (std::size_t l = first_touch_of_path_[p]; l < first_touch_of_path_[p + 1]; ++l) {
-        const std::size_t other = touches_of_path_[l];
+      if (paths[p].inverse_mass == 0.0) continue;
+      for (std::size_t l = of_paths_.first[p]; l < of_paths_.first[p + 1]; ++l) {
+        const std::size_t other = of_paths_.touches[l];
         if (touches[other].time - time_ > near * h_) continue;
-        if (std::ranges::find(together_of_, other) == together_of_.end()) together_of_.push_back(other);
+        if (std::ranges::find(together_.of, other) == together_.of.end()) together_.of.push_back(other);
       }
     }
   }
 }
 
 // Each leaves with at least its restitution, and as one whose impulse is not negative.
-void TouchSimulation::respond_to_all() {
+void TouchSimulation::respond() {
+  if (together_.touches.empty()) return;
   velocity_.resize(paths.size());
   double fastest = 0.0;
-  for (const Touch& touch : together_)
+  for (const Touch& touch : together_.touches)
     for (const std::size_t p : {touch.first, touch.second}) {
-      if (p == no_path) continue;
       paths[p].advance(time_);
       velocity_[p] = paths[p].v;
       fastest = std::max(fastest, glm::length(paths[p].v));
     }
-  all_together_.resize(together_.size());
-  std::iota(all_together_.begin(), all_together_.end(), 0);
+  together_.all.resize(together_.touches.size());
+  std::iota(together_.all.begin(), together_.all.end(), 0);
   constexpr double round_off = 1e-15;
-  impulses_ += settle(together_, all_together_, paths, round_off * fastest, velocity_);
+  settle(together_.touches, together_.all, round_off * fastest, velocity_);
   first_impact_ = std::min(first_impact_, time_);
-  for (std::size_t k = 0; k < together_.size(); ++k) {
-    const Touch& touch = together_[k];
-    touches[together_of_[k]].time = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < together_.touches.size(); ++k) {
+    const Touch& touch = together_.touches[k];
+    touches[together_.of[k]].time = std::numeric_limits<double>::infinity();
     if (touch.restitution == 0.0) remove_correction(touch, touch.normal);
     for (const std::size_t p : {touch.first, touch.second}) {
-      if (p == no_path) continue;
       if (paths[p].inverse_mass != 0.0) paths[p].v = velocity_[p];
       change(p);
     }
@@ -74,13 +113,11 @@ void TouchSimulation::respond_to_all() {
 
 // Without a rebound, the corrections of the method's path must not separate them either.
 void TouchSimulation::remove_correction(const Touch& touch, const Vec3& normal) {
-  PointPath& first = paths[touch.first];
-  PointPath* second = touch.second != no_path ? &paths[touch.second] : nullptr;
-  const Vec3 other = second != nullptr ? second->velocity_correction : touch.obstacle->velocity_correction;
-  const double weight = first.inverse_mass + (second != nullptr ? second->inverse_mass : 0.0);
-  const Vec3 correction = -glm::dot(normal, first.velocity_correction - other) / weight * normal;
+  PointPath &first = paths[touch.first], &second = paths[touch.second];
+  const double weight = first.inverse_mass + second.inverse_mass;
+  const Vec3 correction = -glm::dot(normal, first.velocity_correction - second.velocity_correction) / weight * normal;
   first.velocity_correction += first.inverse_mass * correction;
-  if (second != nullptr) second->velocity_correction -= second->inverse_mass * correction;
+  second.velocity_correction -= second.inverse_mass * correction;
 }
 
 }  // namespace hooke

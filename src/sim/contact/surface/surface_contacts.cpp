@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <ranges>
+#include <tuple>
 
 #include "sim/contact/constants.h"
 
@@ -12,37 +14,29 @@ namespace hooke {
 namespace {
 
 // Of the first feature, as seen from the second.
-Vec3 relative(const SurfaceContact& contact, std::span<const Vec3> field) {
-  const auto& [i, j, k, l] = contact.points;
-  const std::array<double, 4>& w = contact.weight;
+inline Vec3 relative(const std::array<Index, 4>& points, const std::array<double, 4>& w, std::span<const Vec3> field) {
+  const auto& [i, j, k, l] = points;
   return w[0] * field[i] + w[1] * field[j] + w[2] * field[k] + w[3] * field[l];
 }
+inline Vec3 relative(const SurfaceContact& contact, std::span<const Vec3> field) { return relative(contact.points, contact.weight, field); }
 
-void apply(const SurfaceContact& contact, const Vec3& impulse, std::span<const double> inverse_mass, std::span<Vec3> velocity) {
+inline void apply(const SurfaceContact& contact, const Vec3& impulse, std::span<const double> inverse_mass, std::span<Vec3> velocity) {
   for (int c = 0; c < 4; ++c) velocity[contact.points[c]] += inverse_mass[contact.points[c]] * contact.weight[c] * impulse;
 }
 
 // The impulse that reaches the target. What separates is pushed by no more than a spring would; what approaches is stopped in any case.
-void solve(SurfaceContact& contact, std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity) {
+inline void solve(SurfaceContact& contact, std::span<const double> inverse_mass, std::span<Vec3> velocity) {
   const Vec3 v = relative(contact, velocity);
   const double normal_velocity = glm::dot(contact.normal, v);
   if (contact.impulse.normal == 0.0 && !(normal_velocity < contact.target)) return;
-  double impulse = contact.impulse.normal + (contact.target - normal_velocity) / contact.response;
+  double impulse = contact.impulse.normal + (contact.target - normal_velocity) * contact.mass;
   if (contact.target > 0.0)
-    impulse = std::min(impulse, std::max(contact.max_push, contact.impulse.normal - normal_velocity / contact.response));
+    impulse = std::min(impulse, std::max(contact.max_push, contact.impulse.normal - normal_velocity * contact.mass));
   const Vec3 slip = v - normal_velocity * contact.normal;
-  apply(contact,
-        change_impulse(contact.impulse, std::clamp(impulse, 0.0, contact.max_impulse), contact.normal, friction, slip, contact.response),
-        inverse_mass, velocity);
-}
-
-void solve(ObstacleContact& contact, std::span<const double> inverse_mass, std::span<Vec3> velocity) {
-  Vec3& v = velocity[contact.point];
-  const double response = inverse_mass[contact.point], normal_velocity = glm::dot(contact.normal, v);
-  if (contact.impulse.normal == 0.0 && !(normal_velocity < contact.target)) return;
-  const double impulse = std::max(0.0, contact.impulse.normal + (contact.target - normal_velocity) / response);
-  const Vec3 relative = v - contact.surface, slip = relative - glm::dot(contact.normal, relative) * contact.normal;
-  v += response * change_impulse(contact.impulse, impulse, contact.normal, contact.friction, slip, response);
+  apply(
+      contact,
+      change_impulse(contact.impulse, std::clamp(impulse, 0.0, contact.max_impulse), contact.normal, contact.friction, slip, contact.mass),
+      inverse_mass, velocity);
 }
 
 Vec3 across(const Vec3& normal, const Vec3& w) { return w - glm::dot(normal, w) * normal; }
@@ -52,30 +46,43 @@ ContactImpulse scaled(const ContactImpulse& impulse, double factor, const Vec3& 
 }
 Vec3 total(const ContactImpulse& impulse, const Vec3& normal) { return impulse.normal * normal + impulse.friction; }
 
+// The contacts of features, and those of obstacles, which come last.
+std::size_t count_features(std::span<const SurfaceContact> contacts) {
+  const auto end = std::ranges::partition_point(contacts, [](const SurfaceContact& each) { return !each.is_on_obstacle(); });
+  return static_cast<std::size_t>(end - contacts.begin());
+}
+
 }  // namespace
+
+SurfaceContacts::Key SurfaceContacts::key_of(const SurfaceContact& contact) {
+  const Index i = contact.points[0];
+  return {contact.kind, contact.pair, contact.is_on_obstacle() ? std::array{i, i, no_index, contact.pair} : contact.points};
+}
 
 void SurfaceContacts::begin_frame() {
   last_.clear();
-  last_points_.clear();
-  last_obstacles_.clear();
   last_h_ = 0.0;
 }
 
 void SurfaceContacts::make(const Step& step, const SurfaceDetection& detection) {
-  surface.clear();
-  obstacles.clear();
+  paths.clear();
+  touching.clear();
   list_ = detection.list_number();
   const double slack = contact::slack * step.plan.max_thickness;
   for (const SurfaceDetection::Near& near : detection.near()) {
-    if (!near.touches) continue;
-    SurfaceContact contact{.points = near.points,
-                           .weight = near.closest.weight,
-                           .normal = near.closest.separation / near.closest.distance,
-                           .thickness = near.contact,
-                           .gap = near.closest.distance - near.contact,
-                           .pair = near.pair,
-                           .kind = near.kind};
-    if (contact.gap + step.h * glm::dot(contact.normal, relative(contact, step.u)) < slack) add(step, contact);
+    const Closest& closest = near.closest;
+    const Vec3 normal = closest.separation / closest.distance;
+    const double gap = closest.distance - near.contact;
+    if (!(gap + step.h * glm::dot(normal, relative(near.points, closest.weight, step.u)) < slack)) continue;
+    SurfaceContact& contact = paths.emplace_back();
+    contact.points = near.points;
+    contact.weight = closest.weight;
+    contact.normal = normal;
+    contact.thickness = near.contact;
+    contact.gap = gap;
+    contact.pair = near.pair;
+    contact.kind = near.kind;
+    add(step, contact);
   }
 }
 
@@ -83,11 +90,13 @@ void SurfaceContacts::add_points(const Step& step, Index i, Index j, double dist
   const Vec3 separation = step.x[i] - step.x[j];
   const double length = glm::length(separation);
   if (length <= contact::coincident * distance) return;
-  add(step, {.points = {i, i, j, j},
-             .weight = {1.0, 0.0, -1.0, 0.0},
-             .normal = separation / length,
-             .thickness = distance,
-             .gap = length - distance});
+  add(step, paths.emplace_back(SurfaceContact{.points = {i, i, j, j},
+                                              .weight = {1.0, 0.0, -1.0, 0.0},
+                                              .normal = separation / length,
+                                              .thickness = distance,
+                                              .gap = length - distance,
+                                              .pair = SurfaceContact::two_points,
+                                              .kind = FeaturePair::TwoEdges}));
 }
 
 // Overlaps are removed by the velocity omega / (2 zeta + h omega) times the overlap, which is the bias of a soft constraint with frequency
@@ -98,165 +107,169 @@ void SurfaceContacts::add_points(const Step& step, Index i, Index j, double dist
 // An impulse J on weights w that changes x1 by h J w / m and v1 by J w / m adds the angular momentum sum w (x1 - h v1) x J. So its
 // direction is that of sum w (x1 - h v1), which is the line between the closest points for methods with x1 = x0 + h v1, and nearly that for
 // others.
-void SurfaceContacts::add(const Step& step, SurfaceContact contact) {
-  const Vec3 arm = relative(contact, step.arm);
-  const double length = std::sqrt(glm::dot(arm, arm));
-  constexpr double min_cosine = 0.9;
-  if (step.plan.friction == 0.0 && glm::dot(arm, contact.normal) > min_cosine * length) contact.normal = arm / length;
-  double fastest = 0.0;  // [1/kg], velocity of a point per impulse
+//
+// Of the last contact, which goes again if nothing can move its points.
+void SurfaceContacts::add(const Step& step, SurfaceContact& contact) {
+  if (step.plan.friction == 0.0) {
+    const Vec3 arm = relative(contact, step.arm);
+    const double length = std::sqrt(glm::dot(arm, arm));
+    constexpr double min_cosine = 0.9;
+    if (glm::dot(arm, contact.normal) > min_cosine * length) contact.normal = arm / length;
+  }
+  double response = 0.0, fastest = 0.0;  // [1/kg], relative velocity per impulse, and that of the fastest point
+  bool is_held = false;
   for (int c = 0; c < 4; ++c) {
     const double change = contact.weight[c] * step.inverse_mass[contact.points[c]];
-    contact.response += contact.weight[c] * change;
+    response += contact.weight[c] * change;
     fastest = std::max(fastest, std::abs(change));
+    is_held = is_held || contact.points[c] == step.held;
   }
-  if (contact.response == 0.0) return;
+  if (response == 0.0) return paths.pop_back();
+  contact.mass = 1.0 / response;
+  contact.friction = step.plan.friction;
   if (contact.gap >= 0.0) {
     contact.target = -contact.gap / step.h;
   } else {
     const double frequency = std::min(step.plan.frequency, contact::max_frequency / step.h);
     const double omega = 2.0 * std::numbers::pi * frequency, zeta = step.plan.damping_ratio;
     contact.target = -contact.gap * omega / (2.0 * zeta + step.h * omega);
-    contact.max_push = -contact.gap * step.h * omega * omega / std::max(contact.response, fastest);
+    contact.max_push = -contact.gap * step.h * omega * omega / std::max(response, fastest);
   }
-  if (std::ranges::find(contact.points, step.held) != contact.points.end()) {
-    double drive = 0.0;  // [m/s]
-    for (int c = 0; c < 4; ++c)
-      if (contact.points[c] == step.held) drive += contact.weight[c] * glm::dot(contact.normal, step.u[step.held]);
-    const double approach = contact.target - glm::dot(contact.normal, relative(contact, step.u));
-    contact.max_impulse = contact::max_leverage * std::max(std::abs(drive), approach) / fastest;
-  }
-  surface.push_back(contact);
+  if (!is_held) return;
+  double drive = 0.0;  // [m/s]
+  for (int c = 0; c < 4; ++c)
+    if (contact.points[c] == step.held) drive += contact.weight[c] * glm::dot(contact.normal, step.u[step.held]);
+  const double approach = contact.target - glm::dot(contact.normal, relative(contact, step.u));
+  contact.max_impulse = contact::max_leverage * std::max(std::abs(drive), approach) / fastest;
 }
 
-void SurfaceContacts::sweep(const Step& step, int count, std::span<Vec3> velocity) {
+// Starts from nothing in the first substep of a frame, and then from the impulses of the last one. Obstacles come last: nothing enters
+// them.
+void SurfaceContacts::sweep(const Step& step, std::span<SurfaceContact> contacts, std::span<Vec3> velocity) {
+  const int count = last_h_ > 0.0 ? contact::sweeps : contact::first_sweeps;
+  const std::size_t features = count_features(contacts);
+  const auto solve_all = [&](auto&& some) {
+    for (SurfaceContact& contact : some) solve(contact, step.inverse_mass, velocity);
+  };
   for (int sweep = 0; sweep < count; ++sweep) {
-    for (std::size_t k = 0; k < surface.size(); ++k)
-      solve(surface[sweep % 2 == 0 ? k : surface.size() - 1 - k], step.inverse_mass, step.plan.friction, velocity);
-    for (ObstacleContact& contact : obstacles) solve(contact, step.inverse_mass, velocity);
+    if (sweep % 2 == 0)
+      solve_all(contacts.first(features));
+    else
+      solve_all(contacts.first(features) | std::views::reverse);
+    solve_all(contacts.subspan(features));
   }
-  impulses += count * static_cast<long>(surface.size());
+  impulses += count * static_cast<long>(features);
 }
 
-// The impulses of the same contacts in the last substep. Pairs of points, and points on obstacles, are in ascending order, and pairs of
-// features in that of their list; if that is another one, they are found by their points.
+// The impulses of the same contacts in the last substep, which are in the same order as now. If pairs have been listed again, they are
+// found by their points.
 void SurfaceContacts::recall(const Step& step) {
   const double factor = last_h_ > 0.0 ? step.h / last_h_ : 0.0;
-  const auto use = [&](auto& contact, const ContactImpulses& last, ContactImpulse& end) {
-    contact.impulse = scaled(last.path, factor, contact.normal);
-    end = scaled(last.end, factor, contact.normal);
-  };
-  const auto by_points = [](const Memory& memory) { return std::pair(memory.kind, memory.points); };
-  const auto in_list = [](const auto& each) { return std::pair(each.kind, each.pair); };
+  const auto by_points = [](const Key& key) { return std::tuple(key.kind, key.points); };
+  const auto in_list = [](const Key& key) { return std::tuple(key.kind, key.pair, key.points); };
+  const auto of_points = [&](const Memory& each) { return by_points(each.key); };
   const bool is_same_list = list_ == last_list_;
-  if (!is_same_list) std::ranges::sort(last_, {}, by_points);
+  if (!is_same_list) std::ranges::sort(last_, {}, of_points);
   auto next = last_.begin();
-  auto next_points = last_points_.begin();
-  for (std::size_t k = 0; k < surface.size(); ++k) {
-    SurfaceContact& contact = surface[k];
-    if (contact.pair == no_index) {
-      while (next_points != last_points_.end() && next_points->points < contact.points) ++next_points;
-      if (next_points != last_points_.end() && next_points->points == contact.points) use(contact, next_points->impulses, end_[k]);
-      continue;
-    }
+  for (SurfaceContact& contact : paths) {
+    const Key key = key_of(contact);
     if (is_same_list)
-      while (next != last_.end() && in_list(*next) < in_list(contact)) ++next;
+      while (next != last_.end() && in_list(next->key) < in_list(key)) ++next;
     else
-      next = std::ranges::lower_bound(last_, std::pair(contact.kind, contact.points), {}, by_points);
-    if (next != last_.end() && next->kind == contact.kind && next->points == contact.points) use(contact, next->impulses, end_[k]);
-  }
-  auto next_obstacle = last_obstacles_.begin();
-  for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    ObstacleContact& contact = obstacles[k];
-    const std::pair key(contact.point, contact.obstacle);
-    while (next_obstacle != last_obstacles_.end() && next_obstacle->key < key) ++next_obstacle;
-    if (next_obstacle != last_obstacles_.end() && next_obstacle->key == key) use(contact, next_obstacle->impulses, obstacle_end_[k]);
+      next = std::ranges::lower_bound(last_, by_points(key), {}, of_points);
+    if (next == last_.end() || by_points(next->key) != by_points(key)) continue;
+    contact.impulse = scaled(next->impulses.path, factor, contact.normal);
+    contact.last = static_cast<Index>(next - last_.begin());
   }
 }
 
 void SurfaceContacts::remember(const Step& step) {
   last_.clear();
-  last_points_.clear();
-  last_obstacles_.clear();
-  const auto impulses_of = [](const auto& contact) {
-    const ContactImpulse &path = contact.path_impulse, &all = contact.impulse;
-    return ContactImpulses{path, {all.normal - path.normal, all.friction - path.friction}};
-  };
-  const auto has_any = [](const auto& contact) { return contact.impulse.normal > 0.0 || contact.path_impulse.normal > 0.0; };
-  for (const SurfaceContact& contact : surface)
-    if (has_any(contact))
-      (contact.pair == no_index ? last_points_ : last_).push_back({contact.kind, contact.pair, contact.points, impulses_of(contact)});
-  for (const ObstacleContact& contact : obstacles)
-    if (has_any(contact)) last_obstacles_.push_back({{contact.point, contact.obstacle}, impulses_of(contact)});
+  for (std::size_t k = 0; k < touching.size(); ++k) {
+    const SurfaceContact& contact = touching[k];
+    const ContactImpulse &all = contact.impulse, &path = path_impulses_[k];
+    if (all.normal > 0.0 || path.normal > 0.0)
+      last_.push_back({key_of(contact), {path, {all.normal - path.normal, all.friction - path.friction}}});
+  }
   last_list_ = list_;
   last_h_ = step.h;
 }
 
 void SurfaceContacts::solve_paths(const Step& step, std::span<Vec3> u) {
-  end_.assign(surface.size(), {});
-  obstacle_end_.assign(obstacles.size(), {});
-  for (ObstacleContact& contact : obstacles) contact.target = contact.path_velocity - std::max(0.0, contact.gap) / step.h;
   recall(step);
-  for (const SurfaceContact& contact : surface)
+  for (const SurfaceContact& contact : paths)
     if (contact.impulse.normal > 0.0) apply(contact, total(contact.impulse, contact.normal), step.inverse_mass, u);
-  for (const ObstacleContact& contact : obstacles)
-    if (contact.impulse.normal > 0.0) u[contact.point] += step.inverse_mass[contact.point] * total(contact.impulse, contact.normal);
-  sweep(step, last_h_ > 0.0 ? contact::sweeps : contact::first_sweeps, u);
-  for (SurfaceContact& contact : surface) contact.path_impulse = contact.impulse;
-  for (ObstacleContact& contact : obstacles) contact.path_impulse = contact.impulse;
+  sweep(step, paths, u);
+  // features turn on their way
+  const auto may_touch = [&](const SurfaceContact& contact) {
+    const double end = contact.gap + step.h * glm::dot(contact.normal, relative(contact, u));
+    return end < contact::slack * contact::slack * contact.thickness;
+  };
+  for (const SurfaceContact& contact : paths)
+    if (contact.impulse.normal > 0.0 || may_touch(contact)) touching.push_back(contact);
+  for (SurfaceContact& contact : touching) contact.target = 0.0, contact.max_push = std::numeric_limits<double>::infinity();
 }
 
 // The contacts where their features are at the end of the paths.
 void SurfaceContacts::move(const Step& step, std::span<const Vec3> u) {
   end_x_.resize(step.x.size());
   for (std::size_t k = 0; k < end_x_.size(); ++k) end_x_[k] = step.x[k] + step.h * u[k];
-  for (std::size_t from = 0; from < surface.size(); from += static_cast<std::size_t>(block_.count)) {
-    const FeaturePair kind = surface[from].kind;
+  const auto leave_apart = [](SurfaceContact& contact, double gap) {
+    if (contact.impulse.normal == 0.0 && gap > contact::coincident * contact.thickness)
+      contact.target = -std::numeric_limits<double>::infinity();
+  };
+  const std::size_t features = count_features(touching);
+  for (SurfaceContact& contact : std::span(touching).subspan(features))
+    leave_apart(contact, contact.gap + step.h * glm::dot(contact.normal, relative(contact, u)));
+  for (std::size_t from = 0; from < features; from += static_cast<std::size_t>(block_.count)) {
+    const FeaturePair kind = touching[from].kind;
     for (block_.count = 0; block_.count < FeatureBlock::capacity; ++block_.count) {
       const std::size_t k = from + static_cast<std::size_t>(block_.count);
-      if (k == surface.size() || surface[k].kind != kind) break;
-      block_.points[block_.count] = surface[k].points;
+      if (k == features || touching[k].kind != kind) break;
+      block_.points[block_.count] = touching[k].points;
     }
     find_closest(kind, end_x_, block_);
     for (int i = 0; i < block_.count; ++i) {
-      SurfaceContact& contact = surface[from + static_cast<std::size_t>(i)];
+      SurfaceContact& contact = touching[from + static_cast<std::size_t>(i)];
       const Closest closest = block_.closest(i);
-      contact.gap = closest.distance - contact.thickness;
-      if (!(closest.distance > 0.0)) continue;
+      leave_apart(contact, closest.distance - contact.thickness);
+      double response = 0.0;
+      for (int c = 0; c < 4; ++c) response += closest.weight[c] * closest.weight[c] * step.inverse_mass[contact.points[c]];
+      if (!(closest.distance > 0.0) || response == 0.0) continue;
       contact.weight = closest.weight;
       contact.normal = closest.separation / closest.distance;
-      contact.response = 0.0;
-      for (int c = 0; c < 4; ++c) contact.response += closest.weight[c] * closest.weight[c] * step.inverse_mass[contact.points[c]];
+      contact.mass = 1.0 / response;
     }
   }
 }
 
-// Impulses act along the line between the features at the end of the path, where they touch there.
+// Impulses act along the line between the features at the end of the path, where they touch there. They continue from those of the last
+// substep.
 void SurfaceContacts::solve_ends(const Step& step, std::span<const Vec3> u, std::span<Vec3> velocity) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double touching = contact::coincident * step.plan.max_thickness;
-  // sets the target, continues from the impulse of the last substep, and returns what that changes
-  const auto begin = [&](auto& contact, double gap, double response, double target, const ContactImpulse& end) {
-    const bool touches = (contact.impulse.normal > 0.0 || gap <= touching) && response > 0.0;
-    contact.target = touches ? target : -infinity;
-    if (!touches || end.normal == 0.0) return Vec3(0.0);
-    const ContactImpulse before = contact.impulse;
-    contact.impulse = {std::max(0.0, before.normal + end.normal), before.friction + end.friction};
-    return (contact.impulse.normal - before.normal) * contact.normal + (contact.impulse.friction - before.friction);
-  };
+  const double factor = last_h_ > 0.0 ? step.h / last_h_ : 0.0;
   move(step, u);
-  for (std::size_t k = 0; k < surface.size(); ++k) {
-    SurfaceContact& contact = surface[k];
-    contact.max_push = infinity;
-    const Vec3 change = begin(contact, contact.gap, contact.response, contact.rebound, end_[k]);
-    if (change != Vec3(0.0)) apply(contact, change, step.inverse_mass, velocity);
+  path_impulses_.clear();
+  for (SurfaceContact& contact : touching) {
+    const ContactImpulse before = path_impulses_.emplace_back(contact.impulse);
+    if (contact.last == no_index || std::isinf(contact.target)) continue;
+    const ContactImpulse end = scaled(last_[contact.last].impulses.end, factor, contact.normal);
+    if (end.normal == 0.0) continue;
+    contact.impulse = {std::max(0.0, before.normal + end.normal), before.friction + end.friction};
+    apply(contact, total(contact.impulse, contact.normal) - total(before, contact.normal), step.inverse_mass, velocity);
   }
-  for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    ObstacleContact& contact = obstacles[k];
-    const double gap = contact.gap + step.h * (glm::dot(contact.normal, u[contact.point]) - contact.path_velocity);
-    velocity[contact.point] += step.inverse_mass[contact.point] * begin(contact, gap, 1.0, contact.end_velocity, obstacle_end_[k]);
-  }
-  sweep(step, last_h_ > 0.0 ? contact::sweeps : contact::first_sweeps, velocity);
+  sweep(step, touching, velocity);
   remember(step);
+}
+
+double SurfaceContacts::max_work(Index first, Index end, std::span<const Vec3> velocity) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < touching.size(); ++k) {
+    const SurfaceContact& contact = touching[k];
+    const double impulse = (path_impulses_[k].normal + contact.impulse.normal) * (1.0 + contact.friction);
+    for (int c = 0; c < 4; ++c)
+      if (const Index i = contact.points[c]; i >= first && i < end) sum += std::abs(contact.weight[c]) * impulse * glm::length(velocity[i]);
+  }
+  return sum;
 }
 
 }  // namespace hooke

@@ -64,6 +64,7 @@ bool SurfaceDetection::update(const SurfacePlan& plan) {
   const double need = plan.max_thickness * (1.0 + contact::slack) + approach_ / contact::ccd_safety;
   if (need + travel_ > reach_ && !list_pairs(plan, need)) return false;
   near_.clear();
+  meeting_.clear();
   for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) wake(plan, kind, need);
   return true;
 }
@@ -80,28 +81,22 @@ bool SurfaceDetection::list_pairs(const SurfacePlan& plan, double need) {
     reach_ = 0.0;
     return false;
   }
-  for (std::size_t kind = 0; kind < keys_.size(); ++kind) block_keys_[kind].assign((keys_[kind].size() + block_size - 1) / block_size, 0.0);
   tests_ += candidates();
   return true;
 }
 
 void SurfaceDetection::wake(const SurfacePlan& plan, FeaturePair kind, double need) {
-  const auto k = static_cast<std::size_t>(kind);
-  std::vector<double>& keys = keys_[k];
+  const std::vector<double>& keys = keys_[static_cast<std::size_t>(kind)];
   const double limit = need + travel_;
-  tests_ += static_cast<long>(block_keys_[k].size() / 8);
+  tests_ += static_cast<long>(keys.size() / (8 * block_size));
   std::array<Index, block_size> woken;
-  for (std::size_t b = 0; b < block_keys_[k].size(); ++b) {
-    if (block_keys_[k][b] >= limit) continue;
-    const std::size_t begin = b * block_size, end = std::min(begin + block_size, keys.size());
+  for (std::size_t begin = 0; begin < keys.size(); begin += block_size) {
     std::size_t count = 0;
-    for (std::size_t p = begin; p < end; ++p) {
+    for (std::size_t p = begin; p < std::min(begin + block_size, keys.size()); ++p) {
       woken[count] = static_cast<Index>(p);
       count += static_cast<std::size_t>(keys[p] < limit);
     }
-    measure(plan, kind, std::span(woken).first(count), need);
-    block_keys_[k][b] =
-        *std::min_element(keys.begin() + static_cast<std::ptrdiff_t>(begin), keys.begin() + static_cast<std::ptrdiff_t>(end));
+    if (count > 0) measure(plan, kind, std::span(woken).first(count), need);
   }
 }
 
@@ -118,17 +113,18 @@ void SurfaceDetection::measure(const SurfacePlan& plan, FeaturePair kind, std::s
     const double distance = block_.distance[i], radius = plan.radius_of(points);
     keys_[k][p] = distance - radius + travel_;
     if (!(distance - radius < need && distance >= coincident)) continue;
+    if (contact::ccd_safety * distance <= approach_) meeting_.push_back({kind, points, distance});
     const auto [first, second] = pairs_[k].features[p];
     const bool touches = kind == FeaturePair::TwoEdges ? block_.is_at_end[i] == 0.0 || (plan.is_spring[first] | plan.is_spring[second]) != 0
                                                        : plan.owns(first, block_.weight[1][i], block_.weight[2][i], block_.weight[3][i]);
+    if (!touches) continue;
     // in place: a copy would wait for all of its parts to be written
     Near& near = near_.emplace_back();
-    near.kind = kind;
-    near.touches = touches;
     near.points = points;
-    near.pair = p;
-    near.contact = radius + plan.thickness_of(points);
     near.closest = block_.closest(i);
+    near.contact = radius + plan.thickness_of(points);
+    near.pair = p;
+    near.kind = kind;
   }
 }
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/contact/closest_kernel.h"
+#include "sim/contact/closest.h"
 #include "sim/contact/surface/surface_tree.h"
 
 namespace hooke {
@@ -19,14 +19,19 @@ class SurfaceDetection {
   // `relative_margin`: [1], of the length of the edges.
   explicit SurfaceDetection(double relative_margin) : relative_margin_(relative_margin) {}
 
-  // A pair, at the start of the substep.
+  // A pair that may touch, at the start of the substep.
   struct Near {
-    FeaturePair kind = FeaturePair::PointFace;
-    bool touches = false;  // false: another pair touches in the same place
     std::array<Index, 4> points{};
-    Index pair = 0;        // in the list of its kind
-    double contact = 0.0;  // [m], the distance at which they touch
     Closest closest;
+    double contact = 0.0;  // [m], the distance at which they touch
+    Index pair = 0;        // in the list of its kind
+    FeaturePair kind = FeaturePair::PointFace;
+  };
+  // A pair that may meet within the substep.
+  struct Meeting {
+    FeaturePair kind = FeaturePair::PointFace;
+    std::array<Index, 4> points{};
+    double distance = 0.0;  // [m], at its start
   };
 
   void clear() { tree_.clear(); }
@@ -40,7 +45,9 @@ class SurfaceDetection {
   // They move with other velocities instead. False: there are too many.
   bool change_velocities(const SurfacePlan& plan, std::span<const Vec3> u);
 
+  // Without those in whose place another pair touches.
   std::span<const Near> near() const { return near_; }
+  std::span<const Meeting> meeting() const { return meeting_; }
   // [m], by which any two features approach each other in the substep at most.
   double approach() const { return approach_; }
   // The list in which Near::pair is valid.
@@ -61,12 +68,12 @@ class SurfaceDetection {
   SurfaceTree tree_;
   std::vector<LeftOut> left_out_;  // per point, by what is crossed at the start of the frame; empty: nothing is
   PairsByKind pairs_;
-  // [m], of each pair: the distance when it was measured, plus the travel of that time; and the minimum of each block of pairs
-  std::array<std::vector<double>, 2> keys_, block_keys_;
-  double reach_ = 0.0, travel_ = 0.0;  // [m]: pairs up to the first are listed; by the second, distances have changed since at most
+  std::array<std::vector<double>, 2> keys_;  // [m], of each pair: the distance when it was measured, plus the travel of that time
+  double reach_ = 0.0, travel_ = 0.0;        // [m]: pairs up to the first are listed; by the second, distances have changed since at most
   double h_ = 0.0, approach_ = 0.0, round_off_ = 0.0;
   std::vector<Vec3> x_;
   std::vector<Near> near_;
+  std::vector<Meeting> meeting_;
   FeatureBlock block_;
   long crossings_ = 0, lists_ = 0, first_list_ = 0, tests_ = 0;
 };

@@ -31,19 +31,17 @@ bool SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detectio
   for (int pass = 0; pass < max_passes; ++pass) {
     has_failed_ = !detection.change_velocities(plan, u);
     bool hits = false;
-    for (const SurfaceDetection::Near& near : detection.near()) {
-      // what is farther away is free on all of its path
-      const double distance = near.closest.distance;
-      if (has_failed_ || contact::ccd_safety * distance > detection.approach()) continue;
+    for (const SurfaceDetection::Meeting& pair : detection.meeting()) {
+      if (has_failed_) break;
       FourPoints from, displacement;
-      for (int c = 0; c < 4; ++c) from[c] = x[near.points[c]], displacement[c] = h * u[near.points[c]];
-      const double part = free_part(near.kind, from, displacement, distance, distances_);
+      for (int c = 0; c < 4; ++c) from[c] = x[pair.points[c]], displacement[c] = h * u[pair.points[c]];
+      const double part = free_part(pair.kind, from, displacement, pair.distance, distances_);
       if (part == 1.0) continue;
       ++impacts_;
       if (pass < contact::impact_passes)
-        respond(near, inverse_mass, x, part * h, held, u), hits = true;
+        respond(pair, inverse_mass, x, part * h, held, u), hits = true;
       else
-        hits = join(near.points, inverse_mass, u) || hits;
+        hits = join(pair.points, inverse_mass, u) || hits;
       has_failed_ = distances_ > max_distances + usual || excess_ + distances_ > max_excess + usual;
     }
     any = any || hits;
@@ -55,20 +53,20 @@ bool SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detectio
 }
 
 // An inelastic impact after this time [s]. If an impulse cannot help, the passes that join do.
-void SurfaceImpacts::respond(const SurfaceDetection::Near& near, std::span<const double> inverse_mass, std::span<const Vec3> x, double time,
-                             Index held, std::span<Vec3> u) {
+void SurfaceImpacts::respond(const SurfaceDetection::Meeting& pair, std::span<const double> inverse_mass, std::span<const Vec3> x,
+                             double time, Index held, std::span<Vec3> u) {
   FourPoints at;
-  for (int c = 0; c < 4; ++c) at[c] = x[near.points[c]] + time * u[near.points[c]];
-  const Closest closest = closest_points(near.kind, at);
+  for (int c = 0; c < 4; ++c) at[c] = x[pair.points[c]] + time * u[pair.points[c]];
+  const Closest closest = closest_points(pair.kind, at);
   double response = 0.0, fastest = 0.0;
   Vec3 relative(0.0), drive(0.0);
   for (int c = 0; c < 4; ++c) {
-    const double change = closest.weight[c] * inverse_mass[near.points[c]];
-    const Vec3 velocity = closest.weight[c] * u[near.points[c]];
+    const double change = closest.weight[c] * inverse_mass[pair.points[c]];
+    const Vec3 velocity = closest.weight[c] * u[pair.points[c]];
     response += closest.weight[c] * change;
     fastest = std::max(fastest, std::abs(change));
     relative += velocity;
-    if (near.points[c] == held) drive += velocity;
+    if (pair.points[c] == held) drive += velocity;
   }
   if (response == 0.0 || !(closest.distance > 0.0)) return;
   const Vec3 normal = closest.separation / closest.distance;
@@ -77,8 +75,8 @@ void SurfaceImpacts::respond(const SurfaceDetection::Near& near, std::span<const
     impulse = std::min(impulse, contact::max_leverage * std::max(std::abs(glm::dot(normal, drive)), -glm::dot(normal, relative)) / fastest);
   if (!(impulse > 0.0)) return;
   for (int c = 0; c < 4; ++c) {
-    u[near.points[c]] += inverse_mass[near.points[c]] * closest.weight[c] * impulse * normal;
-    if (near.points[c] == held) held_impulse_ += std::abs(closest.weight[c]) * impulse;
+    u[pair.points[c]] += inverse_mass[pair.points[c]] * closest.weight[c] * impulse * normal;
+    if (pair.points[c] == held) held_impulse_ += std::abs(closest.weight[c]) * impulse;
   }
 }
 

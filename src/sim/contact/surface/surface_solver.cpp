@@ -9,14 +9,6 @@
 #include "sim/forces/energy/plan_energy.h"
 
 namespace hooke {
-namespace {
-
-Vec3 point_in(const Plan& plan, const Field& field, Index i) {
-  const auto n = static_cast<std::size_t>(plan.points);
-  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
-}
-
-}  // namespace
 
 void SurfaceSolver::begin_frame() {
   detection_.clear();
@@ -29,19 +21,19 @@ void SurfaceSolver::begin_substep(const Plan& plan, double velocity_lag, const F
   is_limited_ = unlimited != nullptr;
   free_velocity_.resize(plan.surface.points.size());
   for (std::size_t k = 0; k < free_velocity_.size(); ++k)
-    free_velocity_[k] = point_in(plan, unlimited != nullptr ? *unlimited : motion.v, plan.surface.points[k]);
+    free_velocity_[k] = vector_at(plan, unlimited != nullptr ? *unlimited : motion.v, plan.surface.points[k]);
 }
 
 // Returns whether all are finite: what is not has diverged.
 bool SurfaceSolver::load(const Plan& plan, const Field& x0, double h, const Motion& motion) {
   const std::size_t n = plan.surface.points.size();
-  for (auto* field : {&x_, &arm_, &u_, &free_u_, &velocity_}) field->resize(n);
+  for (auto* field : {&x_, &arm_, &u_, &free_u_}) field->resize(n);
   Vec3 sum(0.0);
   for (std::size_t k = 0; k < n; ++k) {
     const Index i = plan.surface.points[k];
-    x_[k] = point_in(plan, x0, i);
-    free_u_[k] = u_[k] = (point_in(plan, motion.x, i) - x_[k]) / h;
-    arm_[k] = x_[k] + h * (u_[k] - point_in(plan, motion.v, i));
+    x_[k] = vector_at(plan, x0, i);
+    free_u_[k] = u_[k] = (vector_at(plan, motion.x, i) - x_[k]) / h;
+    arm_[k] = x_[k] + h * (u_[k] - vector_at(plan, motion.v, i));
     sum += u_[k];
   }
   return std::isfinite(sum.x + sum.y + sum.z);
@@ -64,65 +56,79 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
   has_failed_ = false;
   if (!load(plan, x0, h, motion)) return false;
   if (!detection_.is_begun()) start_frame(plan);
+  const std::size_t n = x_.size();
+  inverse_mass_.resize(n);
   motion.crossings = detection_.crossings();
 
   // pairs that are near, those of them that may touch, and what these may be pressed into
   has_failed_ = !detection_.find_near(plan.surface, x_, u_, h);
   motion.counts.contact_tests += detection_.tests();
-  if (has_failed_ || detection_.near().empty()) return false;
-  const SurfaceContacts::Step step{
-      .plan = plan.surface, .inverse_mass = inverse_mass_, .x = x_, .arm = arm_, .u = free_u_, .h = h, .held = held_};
+  if (has_failed_) return false;
+  const auto step = [&] {
+    return SurfaceContacts::Step{
+        .plan = plan.surface, .inverse_mass = inverse_mass_, .x = x_, .arm = arm_, .u = free_u_, .h = h, .held = held_};
+  };
   contacts_.impulses = 0;
-  contacts_.make(step, detection_);
-  if (!contacts_.surface.empty())
+  contacts_.make(step(), detection_);
+  if (!contacts_.paths.empty())
     for (const PointPair& pair : near)
       if (const Index i = local_[pair.i], j = local_[pair.j]; i != no_index && j != no_index)
-        contacts_.add_points(step, i, j, touching_distance(plan, pair));
-  add_obstacles(plan, obstacles, h, motion);
-  find_rebounds(plan, v0, h, motion);
+        contacts_.add_points(step(), i, j, touching_distance(plan, pair));
+  if (contacts_.paths.empty() && detection_.meeting().empty()) {
+    contacts_.remember(step());
+    return false;
+  }
+  if (!obstacles.empty()) mark_points();
+  for (std::size_t o = 0; o < obstacles.size(); ++o) add_obstacle(plan, obstacles[o], static_cast<Index>(o), h, motion);
 
   // impulses on the paths, and impacts of what would meet nevertheless
-  contacts_.solve_paths(step, u_);
-  impacts_.prevent(plan.surface, detection_, inverse_mass_, x_, h, held_, u_);
+  contacts_.solve_paths(step(), u_);
+  impacts_.prevent(plan.surface, detection_, inverse_mass_, x_, h, held_, std::span(u_).first(n));
   motion.counts.contact_tests += impacts_.distances();
   has_failed_ = impacts_.has_failed();
   if (has_failed_) return false;
 
   // velocities at the end
-  for (std::size_t k = 0; k < x_.size(); ++k) velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]) + (u_[k] - free_u_[k]);
-  contacts_.solve_ends(step, u_, velocity_);
+  velocity_ = u_;
+  for (std::size_t k = 0; k < n; ++k) velocity_[k] = vector_at(plan, motion.v, plan.surface.points[k]) + (u_[k] - free_u_[k]);
+  find_rebounds(plan, v0, h, motion);
+  contacts_.solve_ends(step(), u_, velocity_);
   motion.counts.contact_impulses += contacts_.impulses;
   write(plan, v0, h, motion);
   return true;
 }
 
-// The obstacles that the points of contacts may be pressed into. They are convex: outside the plane that touches one where it is nearest,
-// nothing is in it.
-void SurfaceSolver::add_obstacles(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion) {
-  if (obstacles.empty()) return;
-  const double reach = detection_.approach() + contact::slack * plan.surface.max_thickness;
+void SurfaceSolver::mark_points() {
   is_marked_.assign(x_.size(), 0);
-  for (const SurfaceContact& contact : contacts_.surface)
+  for (const SurfaceContact& contact : contacts_.paths)
     for (const Index k : contact.points) is_marked_[k] = 1;
+}
+
+// The points of contacts that may be pressed into the obstacle. It is convex: outside the plane that touches it where it is nearest,
+// nothing is in it.
+void SurfaceSolver::add_obstacle(const Plan& plan, const Obstacle& obstacle, Index number, double h, const Motion& motion) {
+  const double reach = detection_.approach() + contact::slack * plan.surface.max_thickness;
+  const Vec3 offset = obstacle.offset_at(h), velocity = obstacle.velocity_at(h);
   for (std::size_t k = 0; k < x_.size(); ++k) {
     if (is_marked_[k] == 0 || inverse_mass_[k] == 0.0) continue;
     const Index i = plan.surface.points[k];
-    const Vec3 end = point_in(plan, motion.x, i);
-    for (std::size_t o = 0; o < obstacles.size(); ++o) {
-      const Obstacle& obstacle = obstacles[o];
-      const Vec3 position = end - obstacle.offset_at(h);
-      const Gap gap = gap_to(*obstacle.collider, plan.radius[i], position);
-      if (gap.distance > reach) continue;
-      const Vec3 velocity = obstacle.velocity_at(h);
-      contacts_.add_obstacle({.point = static_cast<Index>(k),
-                              .obstacle = static_cast<Index>(o),
-                              .normal = gap.normal,
-                              .gap = gap.distance,
-                              .path_velocity = glm::dot(gap.normal, u_[k]),
-                              .end_velocity = glm::dot(gap.normal, velocity),
-                              .friction = obstacle.collider->friction,
-                              .surface = velocity + relative_surface_velocity(obstacle, gap.normal, position)});
-    }
+    const Vec3 position = vector_at(plan, motion.x, i) - offset;
+    const Gap gap = gap_to(*obstacle.collider, plan.radius[i], position);
+    if (gap.distance > reach) continue;
+    const auto point = static_cast<Index>(k), surface = static_cast<Index>(u_.size());
+    u_.push_back(velocity + relative_surface_velocity(obstacle, gap.normal, position));
+    inverse_mass_.push_back(0.0);
+    const double path = glm::dot(gap.normal, u_[point] - u_[surface]);
+    contacts_.paths.push_back({.points = {point, point, surface, surface},
+                               .weight = {1.0, 0.0, -1.0, 0.0},
+                               .normal = gap.normal,
+                               .thickness = plan.surface.max_thickness,
+                               .mass = 1.0 / inverse_mass_[point],
+                               .friction = obstacle.collider->friction,
+                               .target = path - std::max(0.0, gap.distance) / h,
+                               .gap = gap.distance - h * path,
+                               .pair = SurfaceContact::obstacle + number,
+                               .kind = FeaturePair::TwoEdges});
   }
 }
 
@@ -132,19 +138,20 @@ void SurfaceSolver::find_rebounds(const Plan& plan, const Field& v0, double h, c
   const double e = plan.surface.restitution;
   if (e == 0.0) return;
   const double slow = std::max(contact::rest_speed, 0.5 * (1.0 - e) / e);
-  for (SurfaceContact& contact : contacts_.surface) {
+  for (SurfaceContact& contact : contacts_.touching) {
+    if (contact.is_on_obstacle()) break;
     double path = 0.0, before = 0.0, after = 0.0, supplied = 0.0;  // [m/s], along the normal
     for (int c = 0; c < 4; ++c) {
       const Index k = contact.points[c], i = plan.surface.points[k];
-      const Vec3 weighted_normal = contact.weight[c] * contact.normal, start = point_in(plan, v0, i);
+      const Vec3 weighted_normal = contact.weight[c] * contact.normal, start = vector_at(plan, v0, i);
       path += glm::dot(weighted_normal, free_u_[k]);
       before += glm::dot(weighted_normal, start);
-      after += glm::dot(weighted_normal, point_in(plan, motion.v, i));
+      after += glm::dot(weighted_normal, vector_at(plan, motion.v, i));
       supplied += glm::dot(weighted_normal, free_velocity_[k] - start);
     }
     const double part = path < 0.0 ? std::clamp(-contact.gap / (h * path), 0.0, 1.0) : 1.0;
     const double ahead = velocity_lag_ * supplied, approach = -(before + part * (after - before) + ahead);
-    if (approach > slow * std::abs(supplied)) contact.rebound = e * approach - ahead;
+    if (approach > slow * std::abs(supplied)) contact.target = e * approach - ahead;
   }
 }
 
@@ -156,9 +163,9 @@ void SurfaceSolver::write(const Plan& plan, const Field& v0, double h, Motion& m
   double work = 0.0, lag_work = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const Index i = plan.surface.points[k];
-    const Vec3 v1 = point_in(plan, motion.v, i);
+    const Vec3 v1 = vector_at(plan, motion.v, i);
     if (inverse_mass_[k] == 0.0 || (u_[k] == free_u_[k] && velocity_[k] == v1)) continue;
-    const Vec3 supplied = free_velocity_[k] - point_in(plan, v0, i), displacement = h * (u_[k] - free_u_[k]);
+    const Vec3 supplied = free_velocity_[k] - vector_at(plan, v0, i), displacement = h * (u_[k] - free_u_[k]);
     const double kinetic = 0.5 * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1));
     work += plan.mass[i] * (kinetic - glm::dot(supplied, u_[k] - free_u_[k]));
     lag_work += plan.mass[i] * velocity_lag_ * glm::dot(supplied, velocity_[k] - v1);
@@ -175,18 +182,10 @@ void SurfaceSolver::write(const Plan& plan, const Field& v0, double h, Motion& m
 
 // Impulses on the held point are bounded one by one: near it, they may be far larger than what the other points of a feature take of them.
 SuppliedWork SurfaceSolver::supplied_work(const Plan& plan, const Motion& motion) const {
-  SuppliedWork supplied;
-  if (plan.hand.held) {
-    double impulses = impacts_.held_impulse();
-    for (const SurfaceContact& contact : contacts_.surface)
-      for (int c = 0; c < 4; ++c)
-        if (contact.points[c] == held_)
-          impulses += std::abs(contact.weight[c]) * (contact.path_impulse.normal + contact.impulse.normal) * (1.0 + plan.surface.friction);
-    supplied.by_hand = impulses * held_speed(plan, motion);
-  }
-  for (const ObstacleContact& contact : contacts_.obstacles)
-    supplied.by_colliders +=
-        (contact.path_impulse.normal + contact.impulse.normal) * (1.0 + contact.friction) * glm::length(contact.surface);
+  const auto points = static_cast<Index>(x_.size()), end = static_cast<Index>(u_.size());
+  SuppliedWork supplied{.by_colliders = contacts_.max_work(points, end, velocity_)};
+  if (plan.hand.held)
+    supplied.by_hand = impacts_.held_impulse() * held_speed(plan, motion) + contacts_.max_work(held_, held_ + 1, velocity_);
   return supplied;
 }
 

@@ -44,7 +44,8 @@ class SurfaceSolver {
  private:
   bool load(const Plan& plan, const Field& x0, double h, const Motion& motion);
   void start_frame(const Plan& plan);
-  void add_obstacles(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion);
+  void mark_points();
+  void add_obstacle(const Plan& plan, const Obstacle& obstacle, Index number, double h, const Motion& motion);
   void find_rebounds(const Plan& plan, const Field& v0, double h, const Motion& motion);
   void write(const Plan& plan, const Field& v0, double h, Motion& motion);
   SuppliedWork supplied_work(const Plan& plan, const Motion& motion) const;
@@ -56,11 +57,11 @@ class SurfaceSolver {
   bool is_limited_ = false, has_failed_ = false;
   Index held_ = no_index;             // the held point
   std::vector<Index> local_;          // per point of the scene: of the surface; no_index: not on it
-  std::vector<double> inverse_mass_;  // [1/kg], per point of the surface, as all of the following
+  std::vector<double> inverse_mass_;  // [1/kg], per point of the surface, as all of the following; and of obstacles that they touch
   std::vector<Vec3> x_, arm_;         // [m], at the start of the substep, and x1 - h v1
   std::vector<Vec3> free_velocity_;   // [m/s], at its end without any contact and strain limit
-  std::vector<Vec3> free_u_, u_;      // [m/s], of the path without and with this contact
-  std::vector<Vec3> velocity_;        // [m/s], at the end
+  std::vector<Vec3> free_u_, u_;      // [m/s], of the path without and with this contact; the latter of obstacles, too
+  std::vector<Vec3> velocity_;        // [m/s], at the end, of obstacles, too
   std::vector<char> is_marked_;
 };
 

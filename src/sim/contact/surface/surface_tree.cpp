@@ -5,14 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/closest_kernel.h"
-
 namespace hooke {
 namespace {
-
-constexpr Index pieces_per_leaf = 12;
-// Those of two leaves: edges are the most, at most three for each piece.
-using ClosePairs = std::array<std::array<Index, 2>, static_cast<std::size_t>(9 * pieces_per_leaf * pieces_per_leaf)>;
 
 double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) { return glm::dot(glm::cross(b - a, c - a), d - a); }
 
@@ -30,6 +24,21 @@ bool passes_through(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, 
   return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
 }
 
+// [m^2]
+inline double square_of_distance(const SurfaceBox& a, const SurfaceBox& b) {
+  double sum = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    const double gap = std::max(0.0, std::max(a.min[c] - b.max[c], b.min[c] - a.max[c]));
+    sum += gap * gap;
+  }
+  return sum;
+}
+
+// Whether two features have a point in common.
+bool share_point(std::span<const Index> first, std::span<const Index> second) {
+  return std::ranges::any_of(first, [&](Index i) { return std::ranges::find(second, i) != second.end(); });
+}
+
 // Whether any spring joins a point of one to one of the other.
 bool are_joined(const SurfacePlan& plan, const EdgeEnds& edge, std::span<const Index> face) {
   return std::ranges::any_of(edge, [&](Index i) {
@@ -39,12 +48,23 @@ bool are_joined(const SurfacePlan& plan, const EdgeEnds& edge, std::span<const I
 
 }  // namespace
 
-// Without branches between the components, which would be mispredicted.
-inline bool SurfaceTree::are_close(const SurfaceBox& a, const SurfaceBox& b, double reach) {
-  const double x = std::max(a.min.x - b.max.x, b.min.x - a.max.x);
-  const double y = std::max(a.min.y - b.max.y, b.min.y - a.max.y);
-  const double z = std::max(a.min.z - b.max.z, b.min.z - a.max.z);
-  return !(std::max(std::max(x, y), z) > reach);
+// The pairs of a box in the first and one in the second set, in order, whose distance is at most `reach` [m], up to rounding; of the same
+// set, those with the lower index first.
+std::span<const std::array<Index, 2>> SurfaceTree::find_close(const BoxSet& first, const BoxSet& second, double reach, ClosePairs& room) {
+  std::size_t found = 0;
+  const double limit = reach * reach * (1.0 + 1e-12);  // more than rounding changes a sum of squares
+  const bool is_same = &first.boxes == &second.boxes && first.range.begin == second.range.begin;
+  std::array<double, features_per_leaf> square;
+  for (Index i = first.range.begin; i < first.range.end; ++i) {
+    // most boxes of one set are far from all of the other
+    const SurfaceBox box = first.boxes.at(i);
+    if (square_of_distance(box, second.bound) > limit) continue;
+    const Index begin = is_same ? i + 1 : second.range.begin, count = second.range.end - begin;
+    for (Index j = 0; j < count; ++j) square[j] = square_of_distance(box, second.boxes.at(begin + j));
+    for (Index j = 0; j < count; ++j)
+      if (square[j] <= limit) room[found++] = {i, begin + j};
+  }
+  return std::span(room).first(found);
 }
 
 void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
@@ -123,14 +143,9 @@ void SurfaceTree::sort_features(const SurfacePlan& plan) {
   edge_ends_.clear();
   for (const Index e : edges_) edge_ends_.push_back(plan.edges[e]);
 
-  const auto set_boxes = [](BoxColumns& columns, const auto& features, std::size_t points, const auto& point_of) {
-    columns.resize(features.size());
-    for (std::size_t k = 0; k < points; ++k)
-      for (std::size_t i = 0; i < features.size(); ++i) columns.point[k][i] = static_cast<double>(point_of(features[i], k));
-  };
-  set_boxes(corner_boxes_, corners_, 1, [](Index i, std::size_t) { return i; });
-  set_boxes(piece_boxes_, piece_points_, 3, [](const auto& points, std::size_t k) { return points[k]; });
-  set_boxes(edge_boxes_, edge_ends_, 2, [](const auto& ends, std::size_t k) { return ends[k]; });
+  corner_boxes_.resize(corners_.size());
+  piece_boxes_.resize(pieces_.size());
+  edge_boxes_.resize(edges_.size());
 }
 
 // Boxes of spheres are around all of them.
@@ -183,7 +198,7 @@ void SurfaceTree::visit_leaves(double reach, const Visit& visit) const {
       continue;
     }
     if (a != b) {
-      if (!are_close(first.box, second.box, reach)) continue;
+      if (square_of_distance(first.box, second.box) > reach * reach * (1.0 + 1e-12)) continue;
       // halves the one with more pieces
       const auto size = [](const Node& node) { return node.pieces.end - node.pieces.begin; };
       const bool splits_first = first.second != no_index && (second.second == no_index || size(first) >= size(second));
@@ -200,47 +215,40 @@ void SurfaceTree::visit_leaves(double reach, const Visit& visit) const {
 // Those whose boxes are closer than `reach`.
 void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach,
                                std::span<const LeftOut> left_out, PairsByKind& pairs) const {
-  ClosePairs close;
-  const auto append = [&](FeaturePair kind, std::size_t count, const auto& use) {
-    SurfacePairs& to = pairs[static_cast<std::size_t>(kind)];
-    std::size_t end = to.size();
-    to.resize(end + count);
-    for (const auto& [f, s] : std::span(close).first(count))
-      if (use(f, s, to.points[end], to.features[end])) ++end;
-    to.resize(end);
+  ClosePairs room;
+  const auto is_out = [&](bool has_spring, std::span<const Index> points) {
+    const LeftOut least = has_spring ? LeftOut::Springs : LeftOut::All;
+    return !left_out.empty() && std::ranges::any_of(points, [&](Index i) { return left_out[i] >= least; });
   };
-  const auto from = [](bool has_spring) { return has_spring ? LeftOut::Springs : LeftOut::All; };
-  const auto is_out = [&](Index i, LeftOut least) { return !left_out.empty() && left_out[i] >= least; };
-
+  const auto append = [&](FeaturePair kind, const std::array<Index, 4>& points, const std::array<Index, 2>& features) {
+    SurfacePairs& to = pairs[static_cast<std::size_t>(kind)];
+    to.points.push_back(points);
+    to.features.push_back(features);
+  };
   const auto add_points = [&](const Node& of_corners, const Node& of_pieces) {
-    const std::size_t count = find_close_apart(FeaturePair::PointFace, {corner_boxes_, of_corners.corners, of_corners.box},
-                                               {piece_boxes_, of_pieces.pieces, of_pieces.box}, reach, close);
-    append(FeaturePair::PointFace, count, [&](Index c, Index p, std::array<Index, 4>& points, std::array<Index, 2>& features) {
-      const Index i = corners_[c];
-      const auto [j, k, l] = piece_points_[p];
-      points = {i, j, k, l};
-      features = {pieces_[p], no_index};
-      const LeftOut least = from(is_on_face_[c] == 0);
-      return is_face_[p] != 0 && (plan.close.empty() || !plan.excludes_face(i, piece_points_[p])) &&
-             !(is_out(i, least) && (is_out(j, least) || is_out(k, least) || is_out(l, least)));
-    });
+    for (const auto& [c, p] :
+         find_close({corner_boxes_, of_corners.corners, of_corners.box}, {piece_boxes_, of_pieces.pieces, of_pieces.box}, reach, room)) {
+      const std::array corner{corners_[c]};
+      const auto& face = piece_points_[p];
+      if (is_face_[p] == 0 || share_point(corner, face) || (!plan.close.empty() && plan.excludes_face(corner[0], face))) continue;
+      if (is_out(is_on_face_[c] == 0, corner) && is_out(is_on_face_[c] == 0, face)) continue;
+      append(FeaturePair::PointFace, {corner[0], face[0], face[1], face[2]}, {pieces_[p], no_index});
+    }
   };
   add_points(first, second);
   if (&first != &second) add_points(second, first);
 
-  const std::size_t count =
-      find_close_apart(FeaturePair::TwoEdges, {edge_boxes_, first.edges, first.box}, {edge_boxes_, second.edges, second.box}, reach, close);
   const bool has_links = !plan.close.empty() || !plan.joined.empty() || !plan.radius.empty();
-  append(FeaturePair::TwoEdges, count, [&](Index e, Index f, std::array<Index, 4>& points, std::array<Index, 2>& features) {
-    const auto [i, j] = edge_ends_[e];
-    const auto [k, l] = edge_ends_[f];
+  for (const auto& [e, f] : find_close({edge_boxes_, first.edges, first.box}, {edge_boxes_, second.edges, second.box}, reach, room)) {
+    const EdgeEnds &one = edge_ends_[e], &other = edge_ends_[f];
+    const bool has_spring = (plan.is_spring[edges_[e]] | plan.is_spring[edges_[f]]) != 0;
+    if (share_point(one, other) || (has_links && plan.excludes_edge(edges_[e], edges_[f]))) continue;
+    if (is_out(has_spring, one) && is_out(has_spring, other)) continue;
     // spheres first
-    points = k == l ? std::array{k, l, i, j} : std::array{i, j, k, l};
-    features = {edges_[e], edges_[f]};
-    const LeftOut least = from((plan.is_spring[features[0]] | plan.is_spring[features[1]]) != 0);
-    return (!has_links || !plan.excludes_edge(features[0], features[1])) &&
-           !((is_out(i, least) || is_out(j, least)) && (is_out(k, least) || is_out(l, least)));
-  });
+    const bool is_sphere = other[0] == other[1];
+    const EdgeEnds &a = is_sphere ? other : one, &b = is_sphere ? one : other;
+    append(FeaturePair::TwoEdges, {a[0], a[1], b[0], b[1]}, {edges_[e], edges_[f]});
+  }
 }
 
 bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out,
@@ -284,11 +292,7 @@ bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, d
   const bool is_complete = find_pairs(plan, x, reach, left_out, max_pairs, found, distances);
   for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) {
     const SurfacePairs& of_kind = found[static_cast<std::size_t>(kind)];
-    for (std::size_t p = 0; p < of_kind.size(); ++p) {
-      const auto [first, second] = of_kind.features[p];
-      const bool has_spring = kind == FeaturePair::TwoEdges && (plan.is_spring[first] | plan.is_spring[second]) != 0;
-      pairs.push_back({.kind = kind, .has_spring = has_spring, .points = of_kind.points[p], .features = of_kind.features[p]});
-    }
+    for (const auto& points : of_kind.points) pairs.push_back({kind, points});
   }
   return is_complete;
 }
@@ -298,19 +302,17 @@ Crossings SurfaceTree::find_crossings(const SurfacePlan& plan, std::span<const V
   if (nodes_.empty()) return crossings;
   constexpr std::size_t max_tests = 20'000'000;
   std::size_t tests = 0;
-  ClosePairs close;
+  ClosePairs room;
   const auto test = [&](const Node& of_edges, const Node& of_pieces) {
-    const std::size_t count =
-        find_close_boxes({edge_boxes_, of_edges.edges, of_edges.box}, {piece_boxes_, of_pieces.pieces, of_pieces.box}, 0.0, close);
-    for (const auto& [i, p] : std::span(close).first(count)) {
+    const auto close = find_close({edge_boxes_, of_edges.edges, of_edges.box}, {piece_boxes_, of_pieces.pieces, of_pieces.box}, 0.0, room);
+    for (const auto& [i, p] : close) {
       const auto [j, k] = edge_ends_[i];
       const auto [a, b, c] = piece_points_[p];
-      const bool shares_point = (j == a) | (j == b) | (j == c) | (k == a) | (k == b) | (k == c);
-      if (!shares_point && is_face_[p] != 0 && passes_through(x[j], x[k], x[a], x[b], x[c]) &&
+      if (is_face_[p] != 0 && !share_point(edge_ends_[i], piece_points_[p]) && passes_through(x[j], x[k], x[a], x[b], x[c]) &&
           !(plan.is_spring[edges_[i]] != 0 && are_joined(plan, edge_ends_[i], piece_points_[p])))
         crossings.found.push_back({edges_[i], pieces_[p]});
     }
-    tests += count;
+    tests += close.size();
   };
   visit_leaves(0.0, [&](const Node& first, const Node& second) {
     test(first, second);

@@ -1,9 +1,11 @@
 // The broad phase of contact between faces and springs: a tree of bounding boxes over the pieces of a surface.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <vector>
 
-#include "sim/contact/box_kernel.h"
 #include "sim/contact/closest.h"
 #include "sim/plan/surface_plan.h"
 
@@ -12,15 +14,13 @@ namespace hooke {
 // Two features with four points.
 struct SurfacePair {
   FeaturePair kind = FeaturePair::PointFace;
-  bool has_spring = false;  // whether one of two edges is on no face
   std::array<Index, 4> points{};
-  std::array<Index, 2> features{};  // of the plan: a piece and no_index, or two edges
 };
 
 // Pairs of one kind, in columns.
 struct SurfacePairs {
   std::vector<std::array<Index, 4>> points;
-  std::vector<std::array<Index, 2>> features;  // as those of SurfacePair
+  std::vector<std::array<Index, 2>> features;  // of the plan: a piece and no_index, or two edges
 
   std::size_t size() const { return points.size(); }
   void resize(std::size_t count) { points.resize(count), features.resize(count); }
@@ -34,6 +34,28 @@ enum class LeftOut : char {
   Nothing,
   Springs,  // pairs of an edge, or a point, that is on no face
   All,
+};
+
+struct SurfaceBox {
+  Vec3 min{0.0}, max{0.0};
+
+  void include(const SurfaceBox& other) {
+    min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y), std::min(min.z, other.min.z)};
+    max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y), std::max(max.z, other.max.z)};
+  }
+};
+
+// Boxes in columns, of which compilers make vectors.
+struct SurfaceBoxes {
+  std::array<std::vector<double>, 3> min, max;  // [m]
+
+  void resize(std::size_t count) {
+    for (int c = 0; c < 3; ++c) min[c].resize(count), max[c].resize(count);
+  }
+  void set(Index i, const SurfaceBox& box) {
+    for (int c = 0; c < 3; ++c) min[c][i] = box.min[c], max[c][i] = box.max[c];
+  }
+  SurfaceBox at(Index i) const { return {{min[0][i], min[1][i], min[2][i]}, {max[0][i], max[1][i], max[2][i]}}; }
 };
 
 // An edge that passes through a face.
@@ -68,11 +90,24 @@ class SurfaceTree {
 
  private:
   // Its children are the next node and `second`; a leaf has none, and some pieces, with their own corners and edges.
+  struct Range {
+    Index begin = 0, end = 0;
+  };
   struct Node {
     SurfaceBox box;
     Index second = no_index;
-    BoxRange pieces, corners, edges;
+    Range pieces, corners, edges;
   };
+
+  // Some of the boxes, and one around them.
+  struct BoxSet {
+    const SurfaceBoxes& boxes;
+    Range range;
+    const SurfaceBox& bound;
+  };
+  static constexpr Index pieces_per_leaf = 12, features_per_leaf = 3 * pieces_per_leaf;
+  using ClosePairs = std::array<std::array<Index, 2>, static_cast<std::size_t>(features_per_leaf* features_per_leaf)>;
+  static std::span<const std::array<Index, 2>> find_close(const BoxSet& first, const BoxSet& second, double reach, ClosePairs& room);
 
   void split(std::span<const Vec3> center, Index first, Index end);
   void sort_features(const SurfacePlan& plan);
@@ -80,7 +115,6 @@ class SurfaceTree {
   void fit_parents();
   void append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const LeftOut> left_out,
                     PairsByKind& pairs) const;
-  static bool are_close(const SurfaceBox& a, const SurfaceBox& b, double reach);
   template <class Visit>
   void visit_leaves(double reach, const Visit& visit) const;
 
@@ -93,7 +127,7 @@ class SurfaceTree {
   std::vector<char> is_face_;     // per piece
   std::vector<char> is_on_face_;  // per corner
   std::vector<double> radius_;    // [m], per point of the plan, of spheres; empty: there are none
-  BoxColumns piece_boxes_, corner_boxes_, edge_boxes_;
+  SurfaceBoxes piece_boxes_, corner_boxes_, edge_boxes_;
 };
 
 }  // namespace hooke

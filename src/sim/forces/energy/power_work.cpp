@@ -66,32 +66,6 @@ Separation separation(const Plan& plan, const Place& place, Index first, Index s
   return {length, length == 0.0 ? 0.0 : glm::dot(along, difference_at(plan, place.v, first, second)) / length};
 }
 
-// [J], of the impulses -d (l1 - l0) that dashpots exert in a step between these places: at the mean of the speeds before and after it.
-double dashpot_work(const Plan& plan, double time, const Place& start, const Place& end) {
-  double work = 0.0;
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const auto [l0, w0] = separation(plan, start, run.first + e, run.second + e);
-      const auto [l1, w1] = separation(plan, end, run.first + e, run.second + e);
-      work -= 0.5 * response_of(plan, run.begin + e, time, l1).damping * (l1 - l0) * (w0 + w1);
-    }
-  return work;
-}
-
-// [J], of the same impulses, along the way on which contact then leads the points to `end`.
-double dashpot_work_after(const Plan& plan, double time, double h, const Field& start, const Field& free, const Field& end) {
-  const auto length = [&](const Field& x, Index first, Index second) { return glm::length(difference_at(plan, x, first, second)); };
-  double work = 0.0;
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Index first = run.first + e, second = run.second + e;
-      const double l1 = length(free, first, second);
-      work -=
-          response_of(plan, run.begin + e, time, l1).damping * (l1 - length(start, first, second)) * (length(end, first, second) - l1) / h;
-    }
-  return work;
-}
-
 // (a - b) / ln(a / b), of two powers that dissipate; 0 if one of them is.
 double logarithmic_mean(double a, double b) {
   if (!(a * b > 0.0)) return 0.0;
@@ -107,7 +81,8 @@ void PowerWork::begin_frame(const Plan& plan, const Motion& motion, double veloc
   is_power_current_ = false;
   carried_ = 0.0;
   // where the velocity lags behind the positions, that of the path is the one after the step: a part of the impulses has acted before
-  part_after_contact_ = 1.0 - std::max(0.0, velocity_lag);
+  impulses_.part_after_contact = 1.0 - std::max(0.0, velocity_lag);
+  impulses_.replace_power = false;
   has_forces_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
   has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
   has_muscles_ = plan.spring.laws.move;
@@ -118,13 +93,17 @@ void PowerWork::begin_frame(const Plan& plan, const Motion& motion, double veloc
   sweeps.measure(measures_dashpots_, motion.x.size());
   if (!has_power() && !has_potential_ && !has_air_) return;
   for (Field* field : {&x_, &v_, &middle_x_, &middle_v_}) field->resize(motion.x.size());
-  if (measures_dashpots_) free_x_.resize(motion.x.size());
+  if (!measures_dashpots_) return;
+  free_x_.resize(motion.x.size());
+  impulses_.length.resize(plan.spring.damping.size());
+  impulses_.impulse.resize(plan.spring.damping.size());
 }
 
 EnergyLedger PowerWork::power_of_springs(const Plan& plan, double time, const Field& x, const Field& v) const {
   EnergyLedger power;
   if (measures_drag_) power.add(EnergyCause::Drag, -2.0 * plan.drag * kinetic_energy(plan, v));
-  if (measures_dashpots_ && !sweeps_->has_swept()) power.add(EnergyCause::Dashpots, -dashpot_power(plan, time, x, v));
+  if (measures_dashpots_ && !sweeps_->has_swept() && !impulses_.replace_power)
+    power.add(EnergyCause::Dashpots, -dashpot_power(plan, time, x, v));
   if (has_muscles_) power.add(EnergyCause::Muscles, muscle_power(plan, time, x));
   return power;
 }
@@ -171,9 +150,7 @@ void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
   power_ = power_at_end(plan, motion);
   is_power_current_ = true;
   if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
-  impulse_work_ = measures_dashpots_ && !sweeps_->has_swept() && plan.has_contact()
-                      ? dashpot_work(plan, motion.time, {x_, v_}, {motion.x, motion.v})
-                      : 0.0;
+  if (measures_dashpots_ && !sweeps_->has_swept() && plan.has_contact()) find_impulses(plan, motion);
 
   const auto is_resolved = [&](EnergyCause cause) { return rate_of(plan, cause) * h <= max_resolved_rate; };
   EnergyLedger middle;
@@ -226,6 +203,32 @@ void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
   if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
 }
 
+// The impulses d (l1 - l0) that dashpots exert in the method's step, and their work at the mean of the speeds before and after it.
+void PowerWork::find_impulses(const Plan& plan, const Motion& motion) {
+  impulses_.work = 0.0;
+  for (const SpringRun& run : plan.spring.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const auto [l0, w0] = separation(plan, {x_, v_}, run.first + e, run.second + e);
+      const auto [l1, w1] = separation(plan, {motion.x, motion.v}, run.first + e, run.second + e);
+      const Index s = run.begin + e;
+      impulses_.length[s] = l1;
+      impulses_.impulse[s] = response_of(plan, s, motion.time, l1).damping * (l1 - l0);
+      impulses_.work -= 0.5 * impulses_.impulse[s] * (w0 + w1);
+    }
+}
+
+// [J], of the part of them that acts along the way on which contact then leads the points to `end`.
+double PowerWork::impulse_work_after(const Plan& plan, double h, const Field& end) const {
+  double work = 0.0;
+  for (const SpringRun& run : plan.spring.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const Index s = run.begin + e;
+      const double length = separation(plan, {end, end}, run.first + e, run.second + e).length;
+      work -= impulses_.impulse[s] * (length - impulses_.length[s]) / h;
+    }
+  return impulses_.part_after_contact * work;
+}
+
 // Each sweep takes the kinetic energy that it measures. Where contact leads points elsewhere, its impulses act on what is as much faster.
 double PowerWork::work_of_sweeps(const Plan& plan, double h, const Field& end) const {
   double work = 0.0;
@@ -266,7 +269,11 @@ void PowerWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_
     if (sweeps_->has_swept())
       work_[EnergyCause::Dashpots] = work_of_sweeps(plan, h, acts_after ? motion.x : free_x_);
     else if (acts_after)
-      work_[EnergyCause::Dashpots] = impulse_work_ + part_after_contact_ * dashpot_work_after(plan, motion.time, h, x_, free_x_, motion.x);
+      work_[EnergyCause::Dashpots] = impulses_.work + impulse_work_after(plan, h, motion.x);
+    else if (impulses_.replace_power)
+      work_[EnergyCause::Dashpots] = impulses_.work;
+    if (impulses_.replace_power != acts_after) is_power_current_ = false;
+    impulses_.replace_power = acts_after && !sweeps_->has_swept();
   }
   if (has_air_) motion.energy.add(EnergyCause::Potentials, air_work(plan, x_, motion.x));
   if (has_potential_) add_potential_work(plan, motion, h);

@@ -39,6 +39,8 @@ class PowerWork {
   EnergyLedger displacement_work(const Plan& plan, double h, const Field& end);
   void add_potential_work(const Plan& plan, Motion& motion, double h);
   void limit_to_missing(const Plan& plan, const Motion& motion, const EnergyLedger& unresolved);
+  void find_impulses(const Plan& plan, const Motion& motion);
+  double impulse_work_after(const Plan& plan, double h, const Field& end) const;
   double work_of_sweeps(const Plan& plan, double h, const Field& end) const;
   bool has_power() const { return has_forces_ || has_muscles_ || measures_drag_ || measures_dashpots_; }
 
@@ -49,10 +51,16 @@ class PowerWork {
   EnergyLedger power_;               // [W], at the end of the last step, if current
   EnergyLedger work_;                // [J], of the step
   bool is_power_current_ = false;
-  double time_ = 0.0;                // [s], at the start of the substep
-  double carried_ = 0.0;             // [J], that damping forces of the frame have taken beyond what was missing
-  double impulse_work_ = 0.0;        // [J], of the dashpots in the step, as contact sees them
-  double part_after_contact_ = 1.0;  // of the impulses of dashpots
+  double time_ = 0.0;     // [s], at the start of the substep
+  double carried_ = 0.0;  // [J], that damping forces of the frame have taken beyond what was missing
+  // Dashpots where contact may move points: their impulses in the method's step.
+  struct Impulses {
+    Field length, impulse;            // [m], [N s], per spring, at the end of the step
+    double work = 0.0;                // [J]
+    double part_after_contact = 1.0;  // of them
+    bool replace_power = false;       // contact has moved points in the last substep, and is likely to do so in this one
+  };
+  Impulses impulses_;
   bool has_forces_ = false, has_muscles_ = false, has_potential_ = false, has_air_ = false;
   bool measures_drag_ = false, measures_dashpots_ = false;
 };
