@@ -120,12 +120,11 @@ std::string chart_script(const Results& results, ChartFormat format) {
       "set xlabel 'CPU time, ms per simulated second' offset 0,0.3\n"
       "set ylabel 'relative error' offset 1,0\n"
       "set key rmargin top Left reverse noenhanced samplen 2 font ',13'\n";
-  append_formatted(
-      script,
-      "set yrange [1e%d:1e%d]\n"
-      "set multiplot layout %d,%d title \"Speed against error\\n{/*0.65 Lower left is better. The wide gray line is the Pareto "
-      "front: no measured setting is both cheaper and more accurate.}\" font ',20'\n",
-      best_decade, worst_decade, rows, columns);
+  append_formatted(script,
+                   "set yrange [1e%d:1e%d]\n"
+                   "set multiplot layout %d,%d title \"Speed against error\\n{/*0.65 Lower left is better. No measured setting is both "
+                   "cheaper and more accurate than the wide gray line.}\" font ',20'\n",
+                   best_decade, worst_decade, rows, columns);
   std::size_t place = 0;
   for (const ProblemRecord& record : results.problems) print_panel(script, record, place++);
   script += "unset multiplot\n";
