@@ -182,8 +182,9 @@ void App::show_messages() {
 }
 
 void App::switch_muscles() {
-  const Parameter& muscles = *find_parameter("muscles");
-  lab_.submit(SetParameter{&muscles, status().snapshot->system->muscles.on ? 0.0 : 1.0});
+  const bool on = !status().snapshot->system->muscles.on;
+  lab_.submit(SetParameter{find_parameter("muscles"), on ? 1.0 : 0.0});
+  panels_.show_toast(on ? "Muscles and winches move" : "Muscles and winches stand still");
 }
 
 // The surface is shown, and without strain colors, so that the texture is visible.

@@ -71,11 +71,11 @@ std::vector<Command> commands_to_reset_parameters(const Scene& now, const Scene&
   const bool sets_radii = add_points(PointProperty::Radius, &Point::radius, Which::Different, now.system, opened.system, commands);
   const bool masses_follow = sets_radii && opened.defaults.mass_follows_radius;
   add_points(PointProperty::Mass, &Point::mass, masses_follow ? Which::All : Which::Different, now.system, opened.system, commands);
+  add_laws(now.system, opened.system, commands);
   add_springs(SpringProperty::Stiffness, &Spring::stiffness, now.system, opened.system, commands);
   add_springs(SpringProperty::Damping, &Spring::damping, now.system, opened.system, commands);
   add_springs(SpringProperty::RestLength, &Spring::rest_length, now.system, opened.system, commands);
   add_springs(SpringProperty::BreakStrain, &Spring::break_strain, now.system, opened.system, commands);
-  add_laws(now.system, opened.system, commands);
   return commands;
 }
 

@@ -20,6 +20,8 @@ constexpr std::size_t drop_batch = 256;
 }  // namespace
 
 void Traces::watch(const std::vector<Quantity>& quantities, const Timeline& timeline, const System& system) {
+  const auto is_same = [](const Trace& trace, const Quantity& quantity) { return trace.quantity.name() == quantity.name(); };
+  if (std::ranges::equal(table_.traces, quantities, is_same)) return;
   table_ = {};
   published_.reset();
   for (const Quantity& quantity : quantities) table_.traces.push_back({quantity, {}});

@@ -24,9 +24,13 @@ void press_focused_item() {
   gui.NavActivateId = gui.NavActivateDownId = gui.NavActivatePressedId = gui.NavId;
 }
 
-// Tab goes to items with this flag; activated as inputs, buttons are not pressed.
+// Tab goes to items with this flag; activated as inputs, buttons are not pressed. Dear ImGui 1.86 goes on from text fields only, and from
+// a button to the first item again.
 void begin_tab_stops() {
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab))) ImGui::GetCurrentContext()->NavDisableHighlight = false;
+  if (ImGuiContext& gui = *ImGui::GetCurrentContext(); ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab))) {
+    if (gui.NavTabbingDir == 0 && has_focused_item()) gui.NavTabbingDir = 1;
+    gui.NavDisableHighlight = false;
+  }
   ImGui::PushItemFlag(ImGuiItemFlags_Inputable, true);
 }
 void end_tab_stops() { ImGui::PopItemFlag(); }

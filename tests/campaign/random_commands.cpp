@@ -151,6 +151,11 @@ Command RandomCommands::next(Lab& lab) {
       return set;
     }
     case 3: {
+      if (random_.one_in(3)) {
+        SetVelocity set;
+        for (const PointId id : some_points(scene)) set.values.emplace_back(id, vector());
+        return set;
+      }
       Move move;
       for (const PointId id : some_points(scene)) move.items.push_back({id, vector(), is_nailed(scene, id) ? Vec3(0.0) : vector()});
       return move;
@@ -199,6 +204,10 @@ Command RandomCommands::next(Lab& lab) {
     case 17:
       return colliders(scene);
     case 18:
+      if (random_.one_in(3))
+        return random_.one_in(2)
+                   ? Command(SetText{scene.name, random_.one_in(2) ? "A scene." : "", "Notes"})
+                   : Command(SetPlots{random_.one_in(2) ? std::vector<std::string>{"y0", "kinetic"} : std::vector<std::string>{}});
       return random_.one_in(2) ? Command(forces()) : Command(SetTexture{random_.one_in(2) ? "linen" : "", std::nullopt, {}});
     default:
       return random_.one_in(2) ? Command(go_to(scene))

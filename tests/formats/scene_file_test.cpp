@@ -324,7 +324,7 @@ TEST(SceneFile, UnknownKeysAreReportedAndKept) {
   const std::string text = R"({"hooke": 1, "mine": {"big": 12345678901234567890123, "list": [1, {"a": null}]},
     "points": [{"position": [0, 0, 0], "label": "A"}, {"position": [1, 0, 0], "label": "B\n"}],
     "springs": [{"points": [0, 1], "stiffness": 1, "material": "steel"}],
-    "colliders": [{"type": "sphere", "center": [0, 0, 0], "radius": 0.1, "glossy": true}],
+    "colliders": [{"type": "sphere", "center": [0, 0, 0], "radius": 0.5, "glossy": true}],
     "simulation": {"threads": 4}, "view": {"camera": {"eye": [0, 0, 1], "lens": 35}, "fog": 0.5}, "defaults": {"shape": "round"},
     "controls": {"damping": [0, 1, 2]}})";
   EXPECT_EQ(warnings_of(text), (std::vector<std::string>{

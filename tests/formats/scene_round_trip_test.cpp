@@ -189,7 +189,7 @@ std::string bits_of(const Scene& scene) {
   text << scene.name.size() << scene.name << scene.description.size() << scene.description << system.dimensions << system.drag_on
        << system.dashpots_on << system.family_on[1] << system.family_on[2] << system.family_on[3] << ' ';
   add(scene.state.time, system.drag);
-  add_vector(system.gravity);
+  add_vector(system.gravity + Vec3(0.0));  // saved without the sign of a zero
   add_vector(system.wind);
   for (Index i = 0; i < system.point_count(); ++i) {
     add(system.points()[i].nailed, system.points()[i].mass, system.points()[i].radius);

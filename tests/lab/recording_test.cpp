@@ -260,15 +260,16 @@ TEST_F(Recordings, ThatCannotBeWrittenEndWithAnError) {
   EXPECT_GT(lab.scene().state.time, 0.0);
 }
 
+std::string refusal(const std::string& text) {
+  try {
+    parse_recording(text, "x.hookelog");
+  } catch (const InputError& refused) {
+    return refused.what();
+  }
+  return "accepted";
+}
+
 TEST_F(Recordings, AreRefusedWithTheLineOfTheError) {
-  const auto refusal = [](const std::string& text) {
-    try {
-      parse_recording(text, "x.hookelog");
-    } catch (const InputError& refused) {
-      return std::string(refused.what());
-    }
-    return std::string("taken");
-  };
   const std::string first_lines = session_.text.substr(0, session_.text.find("{\"frame\""));
   EXPECT_EQ(refusal(""), "x.hookelog: empty: must begin with \"hooke_recording\"");
   EXPECT_EQ(refusal("{\"hooke_recording\": 1}"), "x.hookelog: ends within its first line: must begin with \"hooke_recording\"");
@@ -287,14 +288,6 @@ TEST_F(Recordings, AreRefusedWithTheLineOfTheError) {
 }
 
 TEST_F(Recordings, OfANewerFormatNameTheRequiredProgram) {
-  const auto refusal = [](const std::string& text) {
-    try {
-      parse_recording(text, "x.hookelog");
-    } catch (const InputError& refused) {
-      return std::string(refused.what());
-    }
-    return std::string("accepted");
-  };
   const std::string now(program_version);
   EXPECT_EQ(refusal("{\"hooke_recording\": 2, \"program\": \"9.8.7\"}\n"),
             "x.hookelog: line 1: version 2 of the format: this is Hooke " + now +

@@ -22,6 +22,7 @@ TEST(Parameters, ReadBackWhatWasWrittenWithinTheirRange) {
   // springs of every family
   std::vector<Spring> springs = scene.system.springs();
   for (std::size_t s = 0; s < springs.size(); ++s) springs[s].family = static_cast<SpringFamily>(s % spring_families);
+  springs[0].law = SpringLaw{.amplitude = 0.1};
   scene.system.set_springs(springs);
   scene.sheet = std::make_shared<const SheetWeights>(
       SheetWeights{std::vector<double>(scene.system.points().size(), 0.3), std::vector<double>(springs.size(), 0.7)});

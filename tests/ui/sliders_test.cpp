@@ -23,6 +23,7 @@ TEST(Sliders, EachParameterHasOne) {
     springs.back().id = scene.system.new_spring_id();
     springs.back().family = family;
   }
+  springs[0].law = SpringLaw{.amplitude = 0.1};
   scene.system.set_springs(springs);
   scene.sheet = std::make_shared<const SheetWeights>(SheetWeights{std::vector{0.1, 0.1, 0.1}, std::vector{0.75, 0.75, 0.375, 0.0, 0.75}});
   std::set<std::string_view> shown;

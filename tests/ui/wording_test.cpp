@@ -79,7 +79,7 @@ TEST(Wording, OfSavingAndRecording) {
   gui.app().panels().dialog.typed = (fixture.folder / "other.json").string();
   ++gui.app().panels().dialog.text_version;
   gui.frames(2);
-  EXPECT_TRUE(shows(gui, "A file with this name exists and will be replaced"));
+  EXPECT_TRUE(shows(gui, "A file with this name exists"));
   EXPECT_TRUE(shows(gui, "Replace"));
   gui.key(Key::Escape);
 

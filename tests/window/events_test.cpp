@@ -20,7 +20,7 @@ constexpr const char* four_points = R"({"hooke": 1, "name": "Four", "points": [
   {"position": [0, 0.5, 0], "radius": 0.08}, {"position": [0.6, 1.2, 0], "radius": 0.05, "nailed": true},
   {"position": [-0.6, 1.2, 0], "radius": 0.05}, {"position": [0, 1.2, 0.6], "radius": 0.05}],
   "springs": [{"points": [0, 1], "stiffness": 50}, {"points": [0, 2], "stiffness": 50}, {"points": [0, 3], "stiffness": 50},
-              {"points": [1, 2], "stiffness": 50}, {"points": [2, 3], "stiffness": 50}, {"points": [3, 1], "stiffness": 50}],
+              {"points": [1, 2], "stiffness": 50}, {"points": [2, 3], "stiffness": 50}, {"points": [3, 1], "stiffness": 50, "muscle": {"amplitude": 0.1}}],
   "view": {"camera": {"eye": [0, 0.5, 4], "target": [0, 0.5, 0]}}})";
 
 // "Ctrl+Shift+P" as xdotool names it.
@@ -62,6 +62,8 @@ constexpr KeysAround all_keys_around[] = {
     {Action::DeleteSelection, "", "ctrl+z"},
     {Action::LargerPanels, "", "ctrl+minus"},
     {Action::SmallerPanels, "", "ctrl+equal"},
+    {Action::SwitchMuscles, "", "u"},
+    {Action::OpenMenus, "", "Escape"},
     {Action::ShowPlots, "", "p"},
     {Action::ShowAccuracy, "", "m"},
     {Action::HidePanels, "", "Tab"},

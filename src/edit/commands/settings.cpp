@@ -64,7 +64,11 @@ Inverse inverse_of(const Parameter& parameter, const Scene& scene) {
       break;
   }
   if (parameter.is_given != nullptr && !parameter.is_given(scene)) return {RestoreParameter{&parameter, not_given}};
-  return {RestoreParameter{&parameter, parameter.read(scene)}};
+  Inverse inverse{RestoreParameter{&parameter, parameter.read(scene)}};
+  // the speed of the muscles changes their offset too
+  if (parameter.name == "muscles" || parameter.name == "muscle_speed")
+    inverse.push_back(RestoreParameter{find_parameter("muscle_offset"), scene.system.muscles.offset});
+  return inverse;
 }
 
 Inverse set(const Parameter& parameter, double value, Scene& scene, Effect& effect) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "base/number_text.h"
 
@@ -22,30 +24,33 @@ double half_width(const Collider& collider, int dimensions) {
   return 0.5 * (dimensions == 3 ? sides[1] : std::max(sides[0], sides[1]));
 }
 
-// The longest edge of a face or spring with an end that moves, less the radii of its points: half of it, and what it is.
-struct WidestGap {
-  double half = 0.0, length = 0.0;  // [m]
-  bool is_face = false;
-
-  void add(const System& system, Index i, Index j, double edge, bool of_face) {
-    const Point &first = system.points()[i], &second = system.points()[j];
-    const double free = 0.5 * edge - std::min(first.radius, second.radius);
-    if ((!first.nailed || !second.nailed) && free > half) *this = {free, edge, of_face};
-  }
+// Between two points, one of which may move.
+struct PassableGap {
+  double half = 0.0;    // [m], half of the free distance between them
+  double length = 0.0;  // [m]
 };
 
-WidestGap widest_gap(const System& system, const State& state) {
-  WidestGap gap;
-  for (const Face& face : system.faces)
-    for (int c = 0; c < 3; ++c) {
-      const Index i = system.index_of(face.points[c]), j = system.index_of(face.points[(c + 1) % 3]);
-      gap.add(system, i, j, glm::distance(state.position[i], state.position[j]), true);
-    }
+// Of the faces of a scene in space, else of the springs without the bend springs, in the middle of which there is a point. A ball passes
+// where the longest edge of a face is, a bar where the second one is.
+std::vector<PassableGap> gaps_of(const System& system, const State& state, bool of_faces, bool is_ball) {
+  std::vector<PassableGap> gaps;
+  const auto add = [&](Index i, Index j, double length) {
+    const Point &first = system.points()[i], &second = system.points()[j];
+    if (!first.nailed || !second.nailed) gaps.push_back({0.5 * length - std::min(first.radius, second.radius), length});
+  };
   for (const Spring& spring : system.springs())
-    // in the middle of a bend spring there is a point
-    if (spring.family != SpringFamily::Bend)
-      gap.add(system, system.index_of(spring.first), system.index_of(spring.second), spring.rest_length, false);
-  return gap;
+    if (!of_faces && spring.family != SpringFamily::Bend)
+      add(system.index_of(spring.first), system.index_of(spring.second), spring.rest_length);
+  for (const Face& face : of_faces ? system.faces : FaceList{}) {
+    std::array<std::pair<double, int>, 3> edges;
+    for (int c = 0; c < 3; ++c)
+      edges[c] = {glm::distance(state.position[system.index_of(face.points[c])], state.position[system.index_of(face.points[(c + 1) % 3])]),
+                  c};
+    std::ranges::sort(edges);
+    const auto [length, c] = edges[is_ball ? 2 : 1];
+    add(system.index_of(face.points[c]), system.index_of(face.points[(c + 1) % 3]), length);
+  }
+  return gaps;
 }
 
 }  // namespace
@@ -53,11 +58,15 @@ WidestGap widest_gap(const System& system, const State& state) {
 std::optional<std::string> small_collider_text(const System& system, const State& state, const Collider& collider) {
   const double half = half_width(collider, system.dimensions);
   if (!collider.solid || std::isinf(half)) return std::nullopt;
-  const WidestGap gap = widest_gap(system, state);
-  if (half >= gap.half) return std::nullopt;
-  const bool is_ball = std::holds_alternative<Sphere>(collider.shape);
+  const bool is_ball = std::holds_alternative<Sphere>(collider.shape), of_faces = system.dimensions == 3 && !system.faces.empty();
+  std::vector<PassableGap> gaps = gaps_of(system, state, of_faces, is_ball);
+  if (gaps.empty()) return std::nullopt;
+  // a few long springs or faces, such as those within a body, are no gap that matters: three quarters must be wide enough
+  const auto typical = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 4);
+  std::ranges::nth_element(gaps, typical, {}, &PassableGap::half);
+  if (half >= typical->half) return std::nullopt;
   return (is_ball ? "a ball of radius " + quantity_text(half, "m", 2) : "a box that is " + quantity_text(2.0 * half, "m", 2) + " wide") +
-         " fits between the points of a " + (gap.is_face ? "face" : "spring") + " of " + quantity_text(gap.length, "m", 2) +
+         " fits between the points of a " + (of_faces ? "face" : "spring") + " of " + quantity_text(typical->length, "m", 2) +
          ", which passes through it: only points touch colliders";
 }
 

@@ -63,8 +63,11 @@ void picture_rows(ExportState& export_state, const PanelInput& input, Panels& pa
   ImGui::Checkbox("The whole window with its panels", &picture.panels);
   if (picture.panels) return;
   ImGui::Checkbox("Transparent background", &picture.transparent);
-  if (picture.width == 0)
-    picture.width = static_cast<int>(input.layout.scene.width), picture.height = static_cast<int>(input.layout.scene.height);
+  if (picture.width == 0) {
+    const double pixels_per_unit = 1.0 / ImGui::GetIO().FontGlobalScale;
+    picture.width = static_cast<int>(pixels_per_unit * input.layout.scene.width);
+    picture.height = static_cast<int>(pixels_per_unit * input.layout.scene.height);
+  }
   const auto size = [&](const char* label, int& pixels) {
     ImGui::PushID(label);
     if (const auto typed =
