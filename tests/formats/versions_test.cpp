@@ -15,8 +15,8 @@ std::filesystem::path scene_of_version(int version) {
 TEST(SceneVersions, AFileOfEachIsReadCompletely) {
   for (int version = 1; version <= newest_scene_version; ++version) {
     const LoadedScene loaded = load_scene(scene_of_version(version));
-    // what it contains is known, but its method does not use the tolerance, and a collider is smaller than its springs
-    ASSERT_EQ(loaded.warnings.size(), 2U) << version;
+    // what it contains is known, but its method does not use the tolerance
+    ASSERT_EQ(loaded.warnings.size(), 1U) << version;
     EXPECT_NE(loaded.warnings[0].find("simulation.tolerance: 1e-06: has no effect with implicit_euler"), std::string::npos)
         << loaded.warnings[0];
     EXPECT_EQ(loaded.scene.name, "Version " + std::to_string(version));

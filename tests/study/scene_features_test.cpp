@@ -15,7 +15,7 @@ struct Removal {
 
 constexpr Removal removals[] = {
     {"marbles", "contact", "center_y"},
-    {"marble_run", "contact", "center_y", 7.6},
+    {"marble_run", "contact", "center_y", 9.1},
     {"newtons_cradle", "contact", "x14"},
     {"reef_knot", "contact", "largest_strain"},
     {"reef_knot", "contact", "y29", 1.0},
