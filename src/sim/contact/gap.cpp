@@ -53,6 +53,16 @@ std::optional<double> min_time_outside(const Gap& gap, const Parabola& path) {
   return first_zero_crossing(std::max(0.0, gap.distance), glm::dot(gap.normal, path.v), glm::dot(gap.normal, path.a));
 }
 
+// The same up to `time_limit`, with the curvature of a sphere, which a point may leave while it still accelerates towards it: with d from
+// its center, d.d grows by
+//   2 d.v t + (v.v + d.a) t^2 + v.a t^3 + a.a t^4 / 4  >=  2 d.v t + (v.v + d.a - |v.a| within) t^2.
+std::optional<double> min_time_outside(const Sphere& sphere, double radius, const Gap& gap, const Parabola& path, double time_limit) {
+  const Vec3 d = path.x - sphere.center;
+  const double c = std::max(0.0, gap.distance) * (glm::length(d) + sphere.radius + radius);
+  const double square = glm::dot(path.v, path.v) + glm::dot(d, path.a) - std::abs(glm::dot(path.v, path.a)) * time_limit;
+  return first_zero_crossing(c, 2.0 * glm::dot(d, path.v), 2.0 * square);
+}
+
 }  // namespace
 
 Gap gap_to(const Collider& collider, double radius, const Vec3& x) {
@@ -85,6 +95,8 @@ bool may_touch(const Collider& collider, double radius, const Vec3& from, const 
 }
 
 std::optional<double> first_impact(const Collider& collider, double radius, const Parabola& path, double time_limit) {
+  const auto* sphere = std::get_if<Sphere>(&collider.shape);
+
   // advance by the time that the path certainly stays outside, until it touches: effectively Newton's method, with quadratic convergence
   // where the path crosses the surface, and halving where it is tangential
   constexpr int max_steps = 128;
@@ -97,7 +109,11 @@ std::optional<double> first_impact(const Collider& collider, double radius, cons
     const bool touches = gap.distance <= contact_tolerance(remaining.x);
     if (touches && approach < 0.0) return t;
 
-    const std::optional<double> outside = min_time_outside(gap, remaining);
+    std::optional<double> outside = min_time_outside(gap, remaining);
+    if (outside && sphere != nullptr) {
+      const auto min_time_on_sphere = min_time_outside(*sphere, radius, gap, remaining, time_limit - t);
+      outside = min_time_on_sphere ? std::optional(std::max(*outside, *min_time_on_sphere)) : std::nullopt;
+    }
     if (!outside) return std::nullopt;
     if (touches && *outside == 0.0) return t;
     t += touches ? std::max(*outside, min_step) : *outside;
