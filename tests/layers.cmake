@@ -42,7 +42,7 @@ set(owners
   "^CLI/"                               "^(cli/|app/window/main[.]cpp$)"
   "^pybind11/"                          "^python/"
   "^hwy/"                               "^(sim/|study/kernels/machine_loops[.]cpp$)"
-  "^Eigen/"                             "^sim/"
+  "^(unsupported/)?Eigen/"              "^sim/"
   "^glm/"                               "."
   "^malloc[.]h$"                        "^(draw/gl/gl|cli/main)[.]cpp$"
   "^(chrono|ctime|random|thread|iostream|fstream|filesystem|unordered_map|unordered_set)$"  "^(base|formats|lab|study|draw|ui|app|batch|cli|python)/"

@@ -1,5 +1,4 @@
 #include "base/atomic_write.h"
-#include "base/descriptor.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -36,6 +35,16 @@ std::string new_temporary_name() {
   if (getrandom(&number, sizeof number, 0) != sizeof number) number = static_cast<std::uint64_t>(getpid());
   return std::string(prefix) + formatted("%016llx", static_cast<unsigned long long>(number));
 }
+
+struct Descriptor {
+  int number;
+  explicit Descriptor(int opened) : number(opened) {}
+  ~Descriptor() {
+    if (number >= 0) close(number);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+};
 
 // A temporary file in a folder, removed unless it was renamed. It is locked as long as the object lives.
 class Temporary {

@@ -1,5 +1,4 @@
 #include "base/read_file.h"
-#include "base/descriptor.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -16,6 +15,13 @@
 
 namespace hooke {
 namespace {
+
+struct Descriptor {
+  int number;
+  ~Descriptor() {
+    if (number >= 0) close(number);
+  }
+};
 
 std::string_view file_type_name(mode_t mode) {
   if (S_ISDIR(mode)) return "a folder";

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lab/accuracy/accuracy_mode.h"
-#include "lab/companion.h"
+#include "lab/accuracy/companion.h"
 #include "lab/traces.h"
 #include "scene/scene.h"
 

@@ -11,7 +11,7 @@
 
 #include "edit/command.h"
 #include "edit/history.h"
-#include "lab/companions.h"
+#include "lab/accuracy/companions.h"
 #include "lab/controls.h"
 #include "lab/failure.h"
 #include "lab/frame_history.h"

@@ -7,7 +7,7 @@
 
 #include "edit/command.h"
 #include "edit/history_list.h"
-#include "lab/companion.h"
+#include "lab/accuracy/companion.h"
 #include "lab/traces.h"
 #include "scene/scene.h"
 #include "sim/model/accuracy.h"

@@ -1,5 +1,5 @@
 // Runs beside the run: each is what it is alone, and the run is as without them.
-#include "lab/companions.h"
+#include "lab/accuracy/companions.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "lab/companions.h"
+#include "lab/accuracy/companions.h"
 
 namespace hooke {
 

@@ -1,4 +1,4 @@
-#include "lab/companions.h"
+#include "lab/accuracy/companions.h"
 
 #include <algorithm>
 #include <limits>

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "lab/accuracy/companion.h"
 #include "lab/accuracy/shadow_run.h"
-#include "lab/companion.h"
 
 namespace hooke {
 
