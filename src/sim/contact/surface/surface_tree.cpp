@@ -48,23 +48,8 @@ bool are_joined(const SurfacePlan& plan, const EdgeEnds& edge, std::span<const I
 
 }  // namespace
 
-// The pairs of a box in the first and one in the second set, in order, whose distance is at most `reach` [m], up to rounding; of the same
-// set, those with the lower index first.
 std::span<const std::array<Index, 2>> SurfaceTree::find_close(const BoxSet& first, const BoxSet& second, double reach, ClosePairs& room) {
-  std::size_t found = 0;
-  const double limit = reach * reach * (1.0 + 1e-12);  // more than rounding changes a sum of squares
-  const bool is_same = &first.boxes == &second.boxes && first.range.begin == second.range.begin;
-  std::array<double, features_per_leaf> square;
-  for (Index i = first.range.begin; i < first.range.end; ++i) {
-    // most boxes of one set are far from all of the other
-    const SurfaceBox box = first.boxes.at(i);
-    if (square_of_distance(box, second.bound) > limit) continue;
-    const Index begin = is_same ? i + 1 : second.range.begin, count = second.range.end - begin;
-    for (Index j = 0; j < count; ++j) square[j] = square_of_distance(box, second.boxes.at(begin + j));
-    for (Index j = 0; j < count; ++j)
-      if (square[j] <= limit) room[found++] = {i, begin + j};
-  }
-  return std::span(room).first(found);
+  return std::span(room).first(find_close_boxes(first, second, reach, room));
 }
 
 void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/contact/box_kernel.h"
 #include "sim/contact/closest.h"
 #include "sim/plan/surface_plan.h"
 
@@ -34,28 +35,6 @@ enum class LeftOut : char {
   Nothing,
   Springs,  // pairs of an edge, or a point, that is on no face
   All,
-};
-
-struct SurfaceBox {
-  Vec3 min{0.0}, max{0.0};
-
-  void include(const SurfaceBox& other) {
-    min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y), std::min(min.z, other.min.z)};
-    max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y), std::max(max.z, other.max.z)};
-  }
-};
-
-// Boxes in columns, of which compilers make vectors.
-struct SurfaceBoxes {
-  std::array<std::vector<double>, 3> min, max;  // [m]
-
-  void resize(std::size_t count) {
-    for (int c = 0; c < 3; ++c) min[c].resize(count), max[c].resize(count);
-  }
-  void set(Index i, const SurfaceBox& box) {
-    for (int c = 0; c < 3; ++c) min[c][i] = box.min[c], max[c][i] = box.max[c];
-  }
-  SurfaceBox at(Index i) const { return {{min[0][i], min[1][i], min[2][i]}, {max[0][i], max[1][i], max[2][i]}}; }
 };
 
 // An edge that passes through a face.
@@ -90,21 +69,12 @@ class SurfaceTree {
 
  private:
   // Its children are the next node and `second`; a leaf has none, and some pieces, with their own corners and edges.
-  struct Range {
-    Index begin = 0, end = 0;
-  };
   struct Node {
     SurfaceBox box;
     Index second = no_index;
-    Range pieces, corners, edges;
+    BoxRange pieces, corners, edges;
   };
 
-  // Some of the boxes, and one around them.
-  struct BoxSet {
-    const SurfaceBoxes& boxes;
-    Range range;
-    const SurfaceBox& bound;
-  };
   static constexpr Index pieces_per_leaf = 12, features_per_leaf = 3 * pieces_per_leaf;
   using ClosePairs = std::array<std::array<Index, 2>, static_cast<std::size_t>(features_per_leaf* features_per_leaf)>;
   static std::span<const std::array<Index, 2>> find_close(const BoxSet& first, const BoxSet& second, double reach, ClosePairs& room);
