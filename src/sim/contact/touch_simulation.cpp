@@ -233,6 +233,8 @@ bool TouchSimulation::advance() {
       for (std::size_t p = 0; p < paths.size(); ++p) paths[p].x += separation_.displacement[p];
     }
     time_ = h_;
+    // impacts that are left out, of which there are too many
+    for (const auto& left_out : queue_) paths[touches[left_out.touch].first].is_changed = true;
     leave_obstacles();
     std::ranges::sort(memory_.now, {}, &Load::points);
     std::swap(memory_.last, memory_.now);
