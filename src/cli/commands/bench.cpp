@@ -119,6 +119,27 @@ int bench(const BenchOptions& options) {
   return results.has_failed || is_worse ? exit_code::check_failed : exit_code::success;
 }
 
+// What is done instead of measuring the scenes, one at a time.
+std::vector<CLI::Option*> add_other_measurements(CLI::App& app, BenchOptions& options) {
+  return {
+      app.add_option("--report", options.report_of, "Write the tables and charts of these results to DIR again, without measuring")
+          ->type_name("bench.json"),
+      app.add_option("--merge", options.merge, "Write one table of the parts in these folders, without measuring")->type_name("DIR"),
+      app.add_flag("--scaling", options.scaling,
+                   "Measure the time and the memory of cloths of 1e3 to 4e6 springs instead, and write them to scaling.csv"),
+      app.add_flag("--kernels", options.kernels,
+                   "Measure the limits of this machine and how close the steps of several kinds of cloth come to them instead, and write "
+                   "them to kernels.csv"),
+      app.add_flag("--edits", options.edits, "Measure how long edits of running cloths take to be seen instead, and write it to edits.csv"),
+      app.add_flag("--capacity", options.capacity,
+                   "Measure the largest cloth that each method steps at 60 frames per second within --error instead, and write it to "
+                   "capacity.csv"),
+      app.add_flag(
+          "--overhead", options.overhead,
+          "Measure what the error of a frame and the energy balance cost to measure instead, with each method and auto on SCENE or "
+          "some shipped scenes, and write it to overhead.csv")};
+}
+
 }  // namespace
 
 std::function<int()> declare_bench(CLI::App& app) {
@@ -140,25 +161,7 @@ std::function<int()> declare_bench(CLI::App& app) {
   app.add_option("--junit", options->junit, "Of --verify: write the comparison as the XML of JUnit; - for stdout")
       ->type_name("FILE")
       ->needs(verify);
-  // what is done instead of measuring the scenes, one at a time
-  std::vector<CLI::Option*> instead{
-      app.add_option("--report", options->report_of, "Write the tables and charts of these results to DIR again, without measuring")
-          ->type_name("bench.json"),
-      app.add_option("--merge", options->merge, "Write one table of the parts in these folders, without measuring")->type_name("DIR"),
-      app.add_flag("--scaling", options->scaling,
-                   "Measure the time and the memory of cloths of 1e3 to 4e6 springs instead, and write them to scaling.csv"),
-      app.add_flag("--kernels", options->kernels,
-                   "Measure the limits of this machine and how close the steps of several kinds of cloth come to them instead, and write "
-                   "them to kernels.csv"),
-      app.add_flag("--edits", options->edits,
-                   "Measure how long edits of running cloths take to be seen instead, and write it to edits.csv"),
-      app.add_flag("--capacity", options->capacity,
-                   "Measure the largest cloth that each method steps at 60 frames per second within --error instead, and write it to "
-                   "capacity.csv"),
-      app.add_flag(
-          "--overhead", options->overhead,
-          "Measure what the error of a frame and the energy balance cost to measure instead, with each method and auto on SCENE or "
-          "some shipped scenes, and write it to overhead.csv")};
+  const std::vector<CLI::Option*> instead = add_other_measurements(app, *options);
   CLI::Option* error = app.add_option("--error", options->error, "Of --capacity: RMS error of the positions, relative to the width")
                            ->check(within({1e-9, 0.1}))
                            ->type_name("E")

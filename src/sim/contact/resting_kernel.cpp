@@ -335,14 +335,11 @@ void solve_resting(const Plan& plan, double h, std::size_t first, std::size_t en
   points.any_solved = points.any_open = false;
   std::size_t i = first;
   for (; i + lanes <= end; i += lanes) {
-    Step step{h,
-              hn::LoadU(d, plan.radius.data() + i),
-              load_point(plan, x0, i),
-              load_point(plan, v0, i),
-              load_point(plan, x, i),
-              load_point(plan, v, i),
-              {},
-              {}};
+    Step step;  // without its acceleration, which few points need
+    step.h = h;
+    step.radius = hn::LoadU(d, plan.radius.data() + i);
+    step.x0 = load_point(plan, x0, i), step.v0 = load_point(plan, v0, i);
+    step.x1 = load_point(plan, x, i), step.v1 = load_point(plan, v, i);
 
     // A path under any contact with one collider is shorter than 1.5 h (|v0| +
     // |correction|) + h^2 |a|, with h |correction| <= |x1 - x0| + h (|v0| +
