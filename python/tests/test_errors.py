@@ -36,7 +36,7 @@ refused = [
     (lambda: hooke.Scene(frame_rate=-1), "frame_rate: -1: must be more than 0", ""),
     (lambda: hooke.Scene.from_json("{"), "scene: line 1: unexpected end of the file", ""),
     (set_item("stiffness", -5), 'scene["stiffness"]: -5: must be from 0.01 to 1000000 [N/m]', ""),
-    (set_item("stiffness", nan), 'scene["stiffness"]: nan: must be from 0.01', ""),
+    (set_item("stiffness", nan), 'scene["stiffness"]: nan: not a number: must be from 0.01', ""),
     (set_item("stiffness", np.array([1, 2])), 'scene["stiffness"]: [1 2]: not a number: must be', ""),
     (set_item("stifness", 1), 'scene["stifness"]: no such parameter: must be one of dimensions, ', "; did you mean stiffness?"),
     (lambda: pair()["stifness"], 'scene["stifness"]: no such parameter: ', "; did you mean stiffness?"),
@@ -101,7 +101,7 @@ refused = [
     (lambda: pair().capture("a.png", fail_above=0), "fail_above: 0: must be more than 0", ""),
     (lambda: pair().sweep({}, "max_strain", 1), "vary: must not be empty", ""),
     (lambda: pair().sweep({"stifness": [1]}, "max_strain", 1), "vary: stifness=1: no such parameter: ", "; did you mean stiffness?"),
-    (lambda: pair().sweep({"stiffness": [1, nan]}, "max_strain", 1), "vary: stiffness=1.0,nan: nan: must be", ""),
+    (lambda: pair().sweep({"stiffness": [1, nan]}, "max_strain", 1), "vary: stiffness=1.0,nan: nan: not a number: must be", ""),
     (lambda: pair().sweep({"stiffness": [1]}, "speed", 1), "measure: speed: must be one of ", ""),
 ]
 
