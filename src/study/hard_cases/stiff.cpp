@@ -16,8 +16,8 @@
 namespace hooke {
 namespace {
 
-constexpr double frame = 1.0 / 60.0;  // [s]
-constexpr double energy_round_off = 1e-9;    // of sums of energies
+constexpr double frame = 1.0 / 60.0;       // [s]
+constexpr double energy_round_off = 1e-9;  // of sums of energies
 
 // First order and dissipative: the energy never rises, however the springs rotate.
 bool is_dissipative(const Integrator& method) {
@@ -110,7 +110,8 @@ std::vector<Verdict> crumple(const Integrator& method, double k_dt2_per_m) {
   std::vector<Verdict> parts;
   // methods whose energy can only fall: it falls whether the solves converge or not, because they never end above their starting value
   parts.push_back(judge(run, is_dissipative(method) ? Expectation::Hold : expectation_of(run),
-                        rise <= (is_dissipative(method) ? energy_round_off : 0.02), formatted("%.0e: energy rises %.1g", k_dt2_per_m, rise)));
+                        rise <= (is_dissipative(method) ? energy_round_off : 0.02),
+                        formatted("%.0e: energy rises %.1g", k_dt2_per_m, rise)));
   if (!is_dissipative(method) && unconverged > 0) parts.back().expected = Expectation::HoldOrReport;
   if (unconverged > 0)
     parts.push_back({.outcome = Outcome::FailedOpenly,
