@@ -1,7 +1,6 @@
-// The operations of point_contact.cpp on vectors of points, on one path through
-// it: no obstacle is penetrated, and one support is loaded for the whole step.
-// Compiled once for each vector unit by Highway, which picks one at run time;
-// the same IEEE operations in the same order as there, in every width.
+// The operations of point_contact.cpp on vectors of points, on one path through it: no obstacle is penetrated, and one support is loaded
+// for the whole step. Compiled once for each vector unit by Highway, which picks one at run time; the same IEEE operations in the same
+// order as there, in every width.
 #include "sim/contact/resting_kernel.h"
 
 #include <type_traits>
@@ -80,8 +79,7 @@ HWY_INLINE Lane gain_of(const LaneVec3& end, const LaneVec3& start) {
   return hn::Mul(same(0.5), hn::Sub(dot_of(end, end), dot_of(start, start)));
 }
 
-// The normal force over mass, and the acceleration under it; `holds`: the
-// support is loaded, and the point does not move into it.
+// The normal force over mass, and the acceleration under it; `holds`: the support is loaded, and the point does not move into it.
 struct Load {
   Lane normal_acceleration;
   LaneVec3 constrained;
@@ -95,8 +93,7 @@ HWY_INLINE Load load_of(const LaneGap& gap, const LaneVec3& a, Lane size_of_a, c
   return {normal_acceleration, constrained, hn::And(hn::And(hn::Lt(separation, min), hn::Gt(normal_acceleration, same(0.0))), is_feasible)};
 }
 
-// Friction against the acceleration `drive` along the surface, as in
-// PointContactSolver::plan_segment.
+// Friction against the acceleration `drive` along the surface, as in PointContactSolver::plan_segment.
 struct Hold {
   Lane required, max;
   LaneMask is_still, sticks;
@@ -130,8 +127,7 @@ HWY_INLINE void follow_ball(const LaneGap& gap, const Load& load, double frictio
   v = sum(LaneVec3{zero, zero, zero}, choose(hn::Gt(slip, zero), slowed, velocity));
 }
 
-// PointContactSolver::advance on `shape` at rest, of points that stick to it or
-// slide along it for the whole step.
+// PointContactSolver::advance on `shape` at rest, of points that stick to it or slide along it for the whole step.
 template <class Shape>
 HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step) {
   constexpr bool is_curved = std::is_same_v<Shape, Sphere>;
@@ -152,8 +148,7 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
   is_solved = hn::And(is_solved, hn::And(is_along(gap.normal, v), load.holds));
   if (hn::AllFalse(d, is_solved)) return {step.x0, v, is_solved, zero};
 
-  // without friction, a point that slides starts with the velocity of the
-  // method's path
+  // without friction, a point that slides starts with the velocity of the method's path
   LaneVec3 velocity_correction = none;
   if (friction == 0.0) {
     const LaneVec3 of_method = difference(difference(over(difference(step.x1, step.x0), h), v), times(same(0.5 * step.h), a));
@@ -209,8 +204,7 @@ HWY_INLINE double extent_of(const Vec3& a) { return size_of(a.x) + size_of(a.y) 
 HWY_INLINE double extent_of(const Sphere& sphere) { return extent_of(sphere.center) + sphere.radius; }
 HWY_INLINE double extent_of(const Plane& plane) { return extent_of(plane.point); }
 
-// The gap at the start of the step, and along the normal there the displacement
-// and h times the acceleration.
+// The gap at the start of the step, and along the normal there the displacement and h times the acceleration.
 struct Approach {
   Lane gap, displacement, velocity_change;
 };
@@ -247,8 +241,7 @@ HWY_INLINE void set_acceleration(Step& step) {
   step.size_of_a = length_of(step.a);
 }
 
-// Whether points may come within `reach` of the shape. Also if a number is not
-// one.
+// Whether points may come within `reach` of the shape. Also if a number is not one.
 HWY_INLINE LaneMask may_reach(const Sphere& sphere, Lane reach, const LaneVec3& x) {
   const LaneVec3 out = difference(x, same(sphere.center));
   const Lane limit = hn::Add(same(sphere.radius), reach);
@@ -265,8 +258,7 @@ HWY_INLINE LaneMask may_reach(const Box& box, Lane reach, const LaneVec3& x) {
                  is_between(x.z, box.min.z, box.max.z));
 }
 
-// The same for any shape, with a margin for round-off, which is a small part of
-// the coordinates.
+// The same for any shape, with a margin for round-off, which is a small part of the coordinates.
 HWY_INLINE LaneMask may_reach(const ColliderShape& any_shape, Lane reach, const LaneVec3& x) {
   const auto extended = [&](double extent) HWY_ATTR { return hn::Add(reach, hn::Mul(same(1e-12), hn::Add(magnitude(x), same(extent)))); };
   if (const auto* sphere = std::get_if<Sphere>(&any_shape)) return may_reach(*sphere, extended(extent_of(*sphere)), x);
@@ -298,8 +290,7 @@ HWY_INLINE unsigned bits_of(LaneMask mask) {
   return bits[0];
 }
 
-// Of the points of a vector, those that are `open` if they touch, and of these
-// the `solved` ones.
+// Of the points of a vector, those that are `open` if they touch, and of these the `solved` ones.
 HWY_INLINE void set_outcomes(unsigned open, unsigned solved, RestingPoints& points, RestingPoints::Outcome* outcome) {
   points.any_solved = points.any_solved || solved != 0;
   points.any_open = points.any_open || (open & ~solved) != 0;
@@ -307,8 +298,7 @@ HWY_INLINE void set_outcomes(unsigned open, unsigned solved, RestingPoints& poin
     if ((open >> lane & 1U) != 0) outcome[lane] = (solved >> lane & 1U) != 0 ? RestingPoints::Solved : RestingPoints::Open;
 }
 
-// Of the lanes `near` the collider: those that may touch it are `open`. Those
-// near no other are corrected and `solved`, if they can be.
+// Of the lanes `near` the collider: those that may touch it are `open`. Those near no other are corrected and `solved`, if they can be.
 HWY_INLINE void solve_on(const Plan& plan, const Collider& collider, Step& step, LaneMask near, LaneMask several, std::size_t i, double* x,
                          double* v, Lane& work, LaneMask& open, LaneMask& solved) {
   const PointLanes d;
@@ -341,9 +331,8 @@ void solve_resting(const Plan& plan, double h, std::size_t first, std::size_t en
     step.x0 = load_point(plan, x0, i), step.v0 = load_point(plan, v0, i);
     step.x1 = load_point(plan, x, i), step.v1 = load_point(plan, v, i);
 
-    // A path under any contact with one collider is shorter than 1.5 h (|v0| +
-    // |correction|) + h^2 |a|, with h |correction| <= |x1 - x0| + h (|v0| +
-    // |v1|) / 2 and h |a| <= |v0| + |v1|: by far than this.
+    // A path under any contact with one collider is shorter than 1.5 h (|v0| + |correction|) + h^2 |a|, with h |correction| <= |x1 - x0| +
+    // h (|v0| + |v1|) / 2 and h |a| <= |v0| + |v1|: by far than this.
     const Lane one = same(1.0);
     const Lane speeds = hn::Sub(hn::Add(magnitude(step.v0), magnitude(step.v1)), same(2.0));
     const Lane path = hn::Add(hn::Sub(magnitude(difference(step.x1, step.x0)), one), hn::Mul(same(h), speeds));
