@@ -120,13 +120,12 @@ TEST(KeyHandlers, F10OpensTheMenusWhichTheArrowsAndEnterOperate) {
   // keys of the scene do nothing while a menu is open
   EXPECT_EQ(press(gui, letter('A')), "menu");
   EXPECT_EQ(gui.app().tool(), Action::SelectTool);
-  for (int i = 0; i < 4 && gui.app().selection().empty(); ++i) {
-    imgui_key(ImGuiKey_DownArrow);
-    press(gui, Key::Enter);
-    gui.frames(2);
-    if (!gui.app().panels().menus.is_open) break;
-  }
+  const ImGuiContext& imgui = *ImGui::GetCurrentContext();
+  for (int i = 0; i < 8 && imgui.NavId != imgui.NavWindow->GetID("Select all"); ++i) imgui_key(ImGuiKey_DownArrow);
+  press(gui, Key::Enter);
+  gui.frames(2);
   EXPECT_FALSE(gui.app().panels().menus.is_open);
+  EXPECT_FALSE(gui.app().selection().empty());
 }
 
 TEST(KeyHandlers, TabGoesToTheButtonsOfADialogAndEnterPressesTheFocusedOne) {

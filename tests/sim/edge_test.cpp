@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "support/convergence.h"
 #include "support/test_sim.h"
@@ -13,10 +12,9 @@ namespace {
 constexpr double g = 9.81, frame = 1.0 / 60.0;
 
 // A block below y = 0 up to x = 0, and a point on it.
-TestSim on_block(double x, double radius, double speed, double friction = 0.0, double restitution = 0.5) {
+TestSim on_block(double x, double radius, double speed, double friction = 0.0) {
   TestSim sim;
-  sim.system.colliders = {
-      {.shape = Box{.min = {-5.0, -1.0, -1.0}, .max = {0.0, 0.0, 1.0}}, .restitution = restitution, .friction = friction}};
+  sim.system.colliders = {{.shape = Box{.min = {-5.0, -1.0, -1.0}, .max = {0.0, 0.0, 1.0}}, .restitution = 0.5, .friction = friction}};
   sim.add({x, radius, 0.3}, 0.7, {speed, 0.0, 0.0});
   sim.system.point(0).radius = radius;
   return sim;

@@ -36,7 +36,7 @@ struct Packed {
     add_spring_forces(plan, motion.x.data(), plan.has_dashpots() ? motion.v.data() : nullptr, f.data());
     return f;
   }
-  Vec3 at(const Field& f, Index i) const { return {f[i], f[plan.points + i], plan.dimensions == 3 ? f[2 * plan.points + i] : 0.0}; }
+  Vec3 at(const Field& f, Index i) const { return vector_at(plan, f, i); }
 };
 
 // -(k (l - l0) + d w) u on the first end of every spring, computed by a plain loop over the System.

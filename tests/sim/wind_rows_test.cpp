@@ -11,8 +11,8 @@
 namespace hooke {
 namespace {
 
-// Points in rows with a quad in each cell, in random places; some nailed, some cells without an area. With `separated`, faces without an
-// area are between them, so that none form a row.
+// Points in rows with two faces in each cell, which make a quad, in random places; some nailed, some cells without an area. With
+// `separated`, faces without an area are between them, so that none form a row.
 TestSim sheet_of_faces(int rows, int columns, bool separated) {
   Random random(static_cast<std::uint64_t>(100 * rows + columns));
   TestSim sim;
@@ -50,7 +50,7 @@ Result wind_on(const TestSim& sim) {
   return result;
 }
 
-TEST(WindRows, HaveTheBitsOfFacesOneByOneOnEveryVectorUnit) {
+TEST(WindRows, HaveTheBitsOfQuadsOneByOneOnEveryVectorUnit) {
   for (const int dimensions : {3, 2})
     for (const auto& [rows, columns] : {std::pair{2, 5}, {9, 6}, {5, 17}, {4, 23}, {3, 300}}) {
       TestSim in_rows = sheet_of_faces(rows, columns, false), separated = sheet_of_faces(rows, columns, true);

@@ -1,10 +1,12 @@
 #include "app/view/arrows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "base/round_number.h"
 #include "sim/forces/forces.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
 namespace {
@@ -22,14 +24,10 @@ std::optional<Arrows> ForceArrows::at(const Snapshot& snapshot, double longest) 
     plan_ = make_plan(system);
     system_ = snapshot.system;
   }
-  const auto n = static_cast<std::size_t>(system.point_count());
-  Field x(n * static_cast<std::size_t>(plan_.dimensions)), v(x.size()), f(x.size());
-  for (std::size_t i = 0; i < n; ++i)
-    for (int axis = 0; axis < plan_.dimensions; ++axis) {
-      x[static_cast<std::size_t>(axis) * n + i] = snapshot.state.position[i][axis];
-      v[static_cast<std::size_t>(axis) * n + i] = snapshot.state.velocity[i][axis];
-    }
-  compute_forces(plan_, snapshot.state.time, x, v, f);
+  Motion motion;
+  pack(plan_, snapshot.state, motion);
+  Field f(motion.x.size());
+  compute_forces(plan_, motion.time, motion.x, motion.v, f);
   double largest = 0.0;
   for (Index i = 0; i < system.point_count(); ++i) largest = std::max(largest, glm::length(vector_at(plan_, f, i)));
   if (!(largest > 0.0) || !std::isfinite(largest)) return std::nullopt;

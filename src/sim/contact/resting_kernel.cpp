@@ -331,8 +331,8 @@ void solve_resting(const Plan& plan, double h, std::size_t first, std::size_t en
     step.x0 = load_point(plan, x0, i), step.v0 = load_point(plan, v0, i);
     step.x1 = load_point(plan, x, i), step.v1 = load_point(plan, v, i);
 
-    // A path under any contact with one collider is shorter than 1.5 h (|v0| + |correction|) + h^2 |a|, with h |correction| <= |x1 - x0| +
-    // h (|v0| + |v1|) / 2 and h |a| <= |v0| + |v1|: by far than this.
+    // A path under any contact with one collider is shorter than 1.5 h (|v0| + |correction|) + h^2 |a|, with
+    // h |correction| <= |x1 - x0| + h (|v0| + |v1|) / 2 and h |a| <= |v0| + |v1|: by far than this.
     const Lane one = same(1.0);
     const Lane speeds = hn::Sub(hn::Add(magnitude(step.v0), magnitude(step.v1)), same(2.0));
     const Lane path = hn::Add(hn::Sub(magnitude(difference(step.x1, step.x0)), one), hn::Mul(same(h), speeds));

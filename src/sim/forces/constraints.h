@@ -1,4 +1,4 @@
-// Springs as compliant constraints, each projected alone, one after another (integrators/xpbd.cpp). The same bits on every machine.
+// Springs as compliant constraints, each projected alone, one after another (methods/xpbd.cpp). The same bits on every machine.
 #pragma once
 
 #include <vector>

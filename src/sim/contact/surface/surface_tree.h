@@ -1,7 +1,6 @@
 // The broad phase of contact between faces and springs: a tree of bounding boxes over the pieces of a surface.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>

@@ -16,8 +16,8 @@ enum class SweepDirection { Forward, Backward };
 void decay_dashpots(const Plan& plan, const std::vector<double>& decay, SweepDirection sweep, const Field& x, Field& v);
 
 // The impulse per relative speed of each packed spring over `duration` [s]:
-// (1 - exp(-d duration (1/mi + 1/mj))) / (1/mi + 1/mj) [kg]; 0 between two nails. One more at the end, so that the
-// springs can be loaded in pairs.
+// (1 - exp(-d duration (1/mi + 1/mj))) / (1/mi + 1/mj) [kg]; 0 between two nails. Some more at the end, which
+// vectors that are not full read.
 void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& decay);
 
 }  // namespace hooke
