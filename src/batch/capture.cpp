@@ -133,8 +133,7 @@ CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double le
       } catch (const Interrupted&) {
         results.interrupted = true;
       }
-      // stop a replay at the first difference from the recording
-      is_running = !results.diverged && !results.interrupted && lab.difference().empty();
+      is_running = !results.diverged && !results.interrupted;
       if (is_running) tolerance.add_frame(lab.scene().settings, lab.scene().state);
       if (limit && is_running) limit->check(lab, frame_capture.name_of(schedule, picture, frame + 1));
       progress(frame + 1, frames);

@@ -38,7 +38,7 @@ template <> inline constexpr std::array<std::string_view, 8> field_names<EnergyS
     "given", "scale", "hand_stretch", "extent", "speed", "reversible", "min_reversible", "max_reversible"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<MethodMemory> = {"step", "error", "choice"};
 template <> inline constexpr std::array<std::string_view, 8> field_names<MethodChoice> = {
-    "method", "substeps", "min_substeps", "error", "ratio", "next_substeps", "until_estimate", "until_selection"};
+    "method", "substeps", "min_substeps", "error", "ratio", "next_substeps", "until_estimate", "selected_substeps"};
 
 template <> inline constexpr std::array<std::string_view, 5> field_names<PlacedPoint> = {"at", "point", "position", "velocity", "area"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<PlacedSpring> = {"at", "spring", "share"};

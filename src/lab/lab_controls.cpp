@@ -142,7 +142,7 @@ void Lab::release_nails() {
 
 void Lab::record(const Record& what) {
   drop_frame();
-  if (frame_.take_change()) compare_after_edit(scene_.state.memory);
+  if (frame_.take_change()) estimate_after_edit(scene_.state.memory);
   if (what.file)
     recorder_.start(*what.file, scene_);
   else

@@ -1,6 +1,8 @@
 #include "lab/playback.h"
 
 #include "base/bounds.h"
+#include "base/build_info.h"
+#include "base/printable.h"
 
 namespace hooke {
 
@@ -21,8 +23,9 @@ const Recording::Item* Playback::next_edit() {
 
 void Playback::compare(const State& state, Index points) {
   const Fingerprint& recorded = std::get<Fingerprint>(recording_->items[next_++]);
-  const Fingerprint now = fingerprint_of(state);
   ++frames_;
+  if (!difference_.empty()) return;
+  const Fingerprint now = fingerprint_of(state);
   if (now == recorded) return;
 
   difference_ = "frame " + std::to_string(frames_) + ", at " + format_exact(state.time) + " s: ";
@@ -34,7 +37,8 @@ void Playback::compare(const State& state, Index points) {
   } else {
     difference_ += "not the state that was recorded";
   }
-  stop();
+  if (!recording_->program.empty() && recording_->program != program_version)
+    difference_ += "; Hooke " + printable(recording_->program) + " recorded it";
 }
 
 void Playback::record_divergence() {

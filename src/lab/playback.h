@@ -19,7 +19,8 @@ class Playback {
   // The next edit before the next frame: a Command or a scene; null if a frame comes first. Playback ends with the last item.
   const Recording::Item* next_edit();
 
-  // Compares the frame just computed with the recorded one, or records that it diverged. Playback ends at the first difference.
+  // Compares the frame just computed with the recorded one, up to the first difference: from there on the motion is another one, to which
+  // the rest of the edits applies. Playback ends with a frame that diverged.
   void compare(const State& state, Index points);
   void record_divergence();
   // Whether the last frame has been computed; edits may follow.

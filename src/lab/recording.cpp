@@ -185,7 +185,7 @@ class RecordingReader {
 
   void read_header(const JsonField& field) {
     if (field.is("hooke_recording")) version_ = field.integer(1, std::numeric_limits<int>::max());
-    if (field.is("program") && field.value().IsString()) program_ = field.text();
+    if (field.is("program") && field.value().IsString()) recording_.program = field.text();
   }
 
   void check_version() const {
@@ -199,13 +199,13 @@ class RecordingReader {
   [[noreturn]] void refuse_unknown_line() const {
     if (pending_scene_) refuse("must be the rest of the scene: {\"rest\": ...}");
     if (unknown_.empty()) refuse("no member: must be an edit or a frame");
-    const bool is_other_program = !program_.empty() && program_ != program_version;
+    const bool is_other_program = !recording_.program.empty() && recording_.program != program_version;
     refuse(printable(unknown_) + ": is unknown" + (is_other_program ? "; " + needed_program() : ""));
   }
 
   std::string needed_program() const {
-    return program_.empty() ? "a newer program is required"
-                            : "Hooke " + printable(program_) + " wrote it: that version or a newer one is required";
+    return recording_.program.empty() ? "a newer program is required"
+                                      : "Hooke " + printable(recording_.program) + " wrote it: that version or a newer one is required";
   }
 
   void add_pending_scene() {
@@ -223,7 +223,6 @@ class RecordingReader {
   std::string file_, name_, line_;
   std::size_t at_ = 0, number_ = 0;
   std::int64_t version_ = 0;            // of the format; 0: not read yet
-  std::string program_;                 // version of the program that wrote the file; empty: not stated
   std::string unknown_;                 // first unknown member of the line
   bool has_known_member_ = false;       // in the line
   std::optional<Scene> pending_scene_;  // its rest has not been read yet

@@ -38,6 +38,7 @@ struct Recording {
   std::shared_ptr<const Scene> start;
   std::vector<Item> items;
   long frames = 0;
+  std::string program;        // version of Hooke that wrote it; empty: not stated
   bool is_truncated = false;  // the last line is incomplete: its writer was stopped
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/number_text.h"
 #include "base/text_lines.h"
@@ -62,8 +63,9 @@ std::string percent_text(double fraction) {
 RunMonitor::RunMonitor(const Plan& plan, const Settings& settings, const System& system, const State& start, int frames_per_estimate)
     : frames_per_estimate_(frames_per_estimate),
       start_{unexplained_energy(system, start), start.position.size()},
+      dashpot_rate_(plan.spectrum.dashpot_rate),
       scale_(start.supply.scale) {
-  if (system.dimensions == 2) first_crossings_ = static_cast<long>(count_crossings(system, start));
+  if (system.dimensions == 2) crossings_.first = static_cast<long>(count_crossings(system, start));
   const Now now{plan, settings, start, nullptr};
   // the method may become one whose modified energy is known
   if (is_large(start) && !is_automatic(settings))
@@ -74,7 +76,7 @@ RunMonitor::RunMonitor(const Plan& plan, const Settings& settings, const System&
 }
 
 void RunMonitor::begin_frame(const System& system, const Settings& settings, const State& state) {
-  dissipation_.begin_frame(system, state);
+  kinetic_ = kinetic_energy(system, state);
   if (estimate_is_due() && !is_automatic(settings))
     estimated_error_ += frames_per_estimate_ * estimate_frame_error(system, settings, state);
 }
@@ -119,9 +121,9 @@ double RunMonitor::modified_change(Reference& since, double energy, const Now& n
 }
 
 void RunMonitor::note_crossings(long crossings, double time) {
-  if (!first_crossings_) first_crossings_ = crossings;
-  if (crossings > 0 && max_crossings_ == 0) crossed_time_ = time;
-  max_crossings_ = std::max(max_crossings_, crossings);
+  if (!crossings_.first) crossings_.first = crossings;
+  if (crossings > 0 && crossings_.max == 0) crossings_.time = time;
+  crossings_.max = std::max(crossings_.max, crossings);
 }
 
 void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion) {
@@ -130,13 +132,16 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   if (state.memory.choice) estimated_error_ += state.memory.choice->error.value_or(0.0);
   unconverged_solves_ += motion.counts.unconverged_solves;
   if (system.dimensions == 3) note_crossings(motion.crossings, state.time - 1.0 / settings.frame_rate);
-  is_forced_ = is_forced_ || plan.hand.held || std::ranges::any_of(system.points(), &Point::nailed);
+  crossings_.is_forced = crossings_.is_forced || plan.hand.held || std::ranges::any_of(system.points(), &Point::nailed);
   const Now now{plan, settings, state, &motion};
   const double energy = unexplained_energy(system, state);
   scale_ = state.supply.scale;
   dissipated_ += measured_dissipation(plan, motion);
-  max_dissipated_ += dissipation_.end_frame(plan, system, state, motion) + booked_dissipation(motion) +
-                     unresolved_dissipation(plan, settings, state, kinetic_energy(system, state));
+  const double kinetic = kinetic_energy(system, state);
+  Spectrum damping = plan.spectrum;
+  damping.dashpot_rate = std::max(damping.dashpot_rate, std::exchange(dashpot_rate_, damping.dashpot_rate));
+  max_dissipated_ += max_dissipation(damping, scale_, std::max(kinetic_, kinetic), 1.0 / settings.frame_rate) + booked_dissipation(motion) +
+                     unresolved_dissipation(plan, settings, state, kinetic);
   if (energy - lowest_.energy > rise_.energy) {
     const double rise = modified_change(lowest_, energy, now);
     if (rise > rise_.energy) rise_ = {rise, state.time};
@@ -171,13 +176,13 @@ std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const 
   if (unconverged_solves_ > 0)
     warnings.push_back(std::to_string(unconverged_solves_) + (unconverged_solves_ == 1 ? " solve" : " solves") + " did not converge");
   // those of the start are another warning
-  if (first_crossings_ == 0 && max_crossings_ > 0)
-    warnings.push_back((is_forced_ ? "nailed or held points forced up to " : "up to ") +
-                       pluralize(static_cast<std::size_t>(max_crossings_), "edge", "edges") +
-                       (is_forced_            ? " through"
-                        : max_crossings_ == 1 ? " passes through"
+  if (crossings_.first == 0 && crossings_.max > 0)
+    warnings.push_back((crossings_.is_forced ? "nailed or held points forced up to " : "up to ") +
+                       pluralize(static_cast<std::size_t>(crossings_.max), "edge", "edges") +
+                       (crossings_.is_forced  ? " through"
+                        : crossings_.max == 1 ? " passes through"
                                               : " pass through") +
-                       " faces or springs, from " + quantity_text(crossed_time_, "s", 4) + " on");
+                       " faces or springs, from " + quantity_text(crossings_.time, "s", 4) + " on");
   // a run that loses most of its energy may gain some in between
   const double limit = tolerance.energy * scale_;
   const Extreme& gain = hidden_gain_.energy > rise_.energy ? hidden_gain_ : rise_;

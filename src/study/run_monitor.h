@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/forces/dashpots/dissipation_bound.h"
 #include "sim/forces/motion.h"
 #include "sim/model/settings.h"
 #include "sim/model/state.h"
@@ -54,10 +53,13 @@ class RunMonitor {
  private:
   const int frames_per_estimate_;
   long frames_ = 0, unconverged_solves_ = 0;
-  std::optional<long> first_crossings_;  // none: not known yet
-  long max_crossings_ = 0;
-  bool is_forced_ = false;     // whether anything was nailed or held
-  double crossed_time_ = 0.0;  // [s], when there were first some
+  struct Crossings {
+    std::optional<long> first;  // none: not known yet
+    long max = 0;
+    bool is_forced = false;  // whether anything was nailed or held
+    double time = 0.0;       // [s], when there were first some
+  };
+  Crossings crossings_;
   // An energy of the scene, minus the work done on it, and by how much the modified energy exceeded it then [J]. The latter costs some
   // force evaluations: in a large net, where a state takes much memory and a frame has many steps, it is computed at once, otherwise from a
   // copy of the state where it is needed.
@@ -85,7 +87,8 @@ class RunMonitor {
   std::string energy_warning(const Extreme& extreme, double present, const char* kind) const;
 
   Reference start_, lowest_;
-  DissipationBound dissipation_;
+  // At the start of the frame: the kinetic energy [J], and the rate of the dashpots [1/s], of which some may break.
+  double kinetic_ = 0.0, dashpot_rate_;
   double max_dissipated_ = 0.0;       // [J], by drag, dashpots, contact and forces so far, a bound
   double dissipated_ = 0.0;           // [J], of it, as far as it is measured; negative
   Extreme rise_, loss_;               // above an earlier value; since the start, beyond what the scene may have dissipated until then

@@ -15,13 +15,12 @@ bool is_valid(const MethodMemory& memory) {
   if (!memory.choice) return true;
   const MethodChoice& choice = *memory.choice;
   return choice.method->step != nullptr && is_number(choice.substeps) && is_number(choice.min_substeps) &&
-         is_number(choice.next_substeps) && choice.ratio >= 0.0 && !(choice.error && !(*choice.error >= 0.0));
+         is_number(choice.next_substeps) && choice.selected_substeps >= 0 && choice.selected_substeps <= max_substeps &&
+         choice.ratio >= 0.0 && !(choice.error && !(*choice.error >= 0.0));
 }
 
-void compare_after_edit(MethodMemory& memory) {
-  if (!memory.choice) return;
-  memory.choice->until_estimate = 0;
-  memory.choice->until_selection = control::max_unestimated;
+void estimate_after_edit(MethodMemory& memory) {
+  if (memory.choice) memory.choice->until_estimate = 0;
 }
 
 Settings settings_used(const Settings& settings, const State& after) {

@@ -24,8 +24,8 @@ bool is_valid(const MethodMemory& memory);
 // The settings with which the frame that led to `after` was computed.
 Settings settings_used(const Settings& settings, const State& after);
 
-// After an edit: the error of the next frame is estimated, and methods are compared again when no more edits follow.
-void compare_after_edit(MethodMemory& memory);
+// After an edit: the error of the next frame is estimated.
+void estimate_after_edit(MethodMemory& memory);
 
 // [m], that a second with the error of this frame adds; 0 where that was not estimated. And whether it is within the tolerance.
 double error_per_second(const MethodChoice& choice, const Settings& settings);

@@ -12,8 +12,10 @@ inline constexpr double integral_gain = 0.7, proportional_gain = 0.4;
 // The most by which a rejected frame is refined at once: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.2, use 5
 // to 10.
 inline constexpr int max_growth = 8;
-// Rejections in one frame after which methods are compared again.
+// Rejections in one frame after which methods are compared again; and the factor by which the substeps of a frame have changed since the
+// comparison. A comparison costs a few frames.
 inline constexpr int max_rejections = 3;
+inline constexpr double selection_change = 4.0;
 // Where stability sets the step and the error is below this part of what is aimed at, up to so many frames are not estimated: an error that
 // doubles from frame to frame stays below it.
 inline constexpr double calm_ratio = 0.02;

@@ -9,6 +9,15 @@
 #include "sim/methods/passage_step.h"
 
 namespace hooke {
+namespace {
+
+// Whether the method was selected for a motion that needed far fewer or far more substeps.
+bool needs_selection(const MethodChoice& choice) {
+  const double change = static_cast<double>(choice.next_substeps) / choice.selected_substeps;
+  return !(change <= control::selection_change && change >= 1.0 / control::selection_change);
+}
+
+}  // namespace
 
 void FrameRunner::begin(Plan& plan, const System& system, const Settings& settings, const State& state) {
   is_automatic_ = is_automatic(settings);
@@ -33,13 +42,10 @@ void FrameRunner::begin(Plan& plan, const System& system, const Settings& settin
 // The method, and the substeps of the first run.
 void FrameRunner::choose(Plan& plan) {
   max_cost_ = max_cost(plan);
-  if (take_change()) compare_after_edit(start_.memory);
-  if (start_.memory.choice) {
-    choice_ = *start_.memory.choice;
-    if (choice_.until_selection > 0) --choice_.until_selection;
-  }
+  if (take_change()) estimate_after_edit(start_.memory);
+  if (start_.memory.choice) choice_ = *start_.memory.choice;
   const auto min = start_.memory.choice ? min_automatic_substeps(limits_, *choice_.method, settings_.frame_rate) : std::nullopt;
-  if (!min || choice_.until_selection == 0) {
+  if (!min || needs_selection(choice_)) {
     select(plan);
   } else {
     choice_.min_substeps = *min;
@@ -58,6 +64,7 @@ void FrameRunner::select(Plan& plan) {
   choice_ = {.method = &method,
              .min_substeps = min_automatic_substeps(limits_, method, settings_.frame_rate).value_or(most),
              .next_substeps = selected.method != nullptr ? selected.substeps : max_automatic_substeps};
+  choice_.selected_substeps = choice_.next_substeps;
 }
 
 // [ms], that this frame may cost: by the budget of the scene, or relative to the frame before.

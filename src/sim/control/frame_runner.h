@@ -19,7 +19,7 @@ class FrameRunner {
  public:
   void begin(Plan& plan, const System& system, const Settings& settings, const State& state);
   void substep(Plan& plan);
-  // The scene was edited: `auto` estimates the next frame, and compares methods again when no more edits follow.
+  // The scene was edited: `auto` estimates the next frame.
   void expect_change() { is_edited_ = true; }
   // Whether that has not taken effect yet; afterwards it does not.
   bool take_change() { return std::exchange(is_edited_, false); }

@@ -13,11 +13,10 @@
 
 namespace hooke {
 
-// A spring that broke, and what its dashpot dissipated just before.
+// A spring that broke.
 struct BrokenSpring {
-  Index spring = 0;            // in the System
-  double time = 0.0;           // [s]
-  double dashpot_power = 0.0;  // [W]
+  Index spring = 0;   // in the System
+  double time = 0.0;  // [s]
 };
 
 // What was done since the start of the frame.

@@ -90,14 +90,6 @@ double separation_speed(const Plan& plan, const Motion& motion, Index first, Ind
   return glm::dot(difference_at(plan, motion.x, first, second), difference_at(plan, motion.v, first, second)) / length;
 }
 
-// [W], of a spring of this length.
-double dashpot_power(const Plan& plan, const Motion& motion, Index spring, Index first, Index second, double length) {
-  const double damping = response_of(plan, spring, motion.time, length).damping;
-  if (damping == 0.0 || length == 0.0) return 0.0;
-  const double speed = separation_speed(plan, motion, first, second, length);
-  return damping * speed * speed;
-}
-
 }  // namespace
 
 bool carries_force(const Plan& plan, Index spring) {
@@ -128,7 +120,7 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
       const Index s = run.begin + e;
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
       if (!(length >= plan.spring.break_length[s]) || !carries_force(plan, s)) continue;
-      motion.breaks.push_back({plan.spring.index[s], motion.time, dashpot_power(plan, motion, s, run.first + e, run.second + e, length)});
+      motion.breaks.push_back({plan.spring.index[s], motion.time});
       motion.energy.add(EnergyCause::Breaks, -response_of(plan, s, motion.time, length).of.energy);
       if (LawSprings& laws = plan.spring.laws; !laws.empty() && laws.of_packed[s] != no_index)
         laws.springs[laws.of_packed[s]].stiffness = laws.springs[laws.of_packed[s]].damping = 0.0;

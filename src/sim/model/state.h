@@ -35,7 +35,7 @@ struct MethodChoice {
   double ratio = 0.0;             // [1], of the last estimate to the error aimed at
   int next_substeps = 1;          // of the next frame
   int until_estimate = 0;         // frames that need no estimate of their error
-  int until_selection = -1;       // frames until methods are compared again; negative: they need not be
+  int selected_substeps = 0;      // that the method needed when it was selected
   bool operator==(const MethodChoice&) const = default;
 };
 
