@@ -166,7 +166,7 @@ void TouchSimulation::find_resting() {
     const double velocity = glm::dot(gap.normal, path.v), quiet = quiet_speed(touch);
     if (is_alone_ ? std::abs(velocity) > quiet : velocity < -std::max(quiet, contact::rest_speed * change)) continue;
     touch.normal = gap.normal;
-    touch.gap = gap.distance;
+    touch.gap = is_alone_ ? 0.0 : gap.distance;
     touch.curvature = gap.curvature;
     touch.is_at_rest = true;
     active_.push_back(t);
