@@ -27,7 +27,7 @@ void run_frames(TestSim& sim, const Integrator& method, int frames, int substeps
 class Edge : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Edge, testing::ValuesIn(every_method()), method_name);
 
-// A slide up to the edge, then a free fall, from whatever part of a substep. What has a radius leaves the edge up to two substeps later.
+// A slide up to the edge, then a free fall. A point leaves the edge at the end of its substep, what has a radius up to one later.
 TEST_P(Edge, APointFallsFromWhereTheFaceEnds) {
   for (const double radius : {0.0, 0.02})
     for (const double speed : {1.0, 1.5, 1.6, 2.3})
@@ -36,12 +36,10 @@ TEST_P(Edge, APointFallsFromWhereTheFaceEnds) {
         constexpr int frames = 60;
         run_frames(sim, method(), frames, substeps);
         const double fall = frames * frame - 0.7 / speed;
-        // a method of first order starts its fall up to a substep late or early
-        const bool is_first_order = method().order == 1 || radius > 0.0;
-        const double h = frame / substeps, late = radius > 0.0 ? 2.0 * h : h, tolerance = is_first_order ? g * fall * late : 1e-10;
+        const double late = (radius > 0.0 || method().order == 1 ? 2.0 : 1.0) * frame / substeps, tolerance = g * fall * late;
         EXPECT_NEAR(sim.state.position[0].x, frames * frame * speed - 0.7, 1e-10) << radius << ' ' << speed << ' ' << substeps;
         EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, tolerance) << radius << ' ' << speed << ' ' << substeps;
-        EXPECT_NEAR(sim.state.velocity[0].y, -g * fall, is_first_order ? g * late : 1e-10) << radius << ' ' << speed << ' ' << substeps;
+        EXPECT_NEAR(sim.state.velocity[0].y, -g * fall, g * late) << radius << ' ' << speed << ' ' << substeps;
       }
 }
 
@@ -55,7 +53,7 @@ TEST(Edges, AllEndWhereTheyAre) {
       sim.system.point(0).radius = radius;
       run_frames(sim, *find_integrator("velocity_verlet"), 30, 1);
       const double slide = 0.5 / std::max(std::abs(direction.x), std::abs(direction.z)) / 1.7, fall = 0.5 - slide;
-      EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, radius > 0.0 ? 2.0 * g * fall * frame : 1e-10) << radius;
+      EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, 2.0 * g * fall * frame) << radius;
     }
 }
 
@@ -66,8 +64,8 @@ TEST(Edges, FrictionEndsWithTheFace) {
     TestSim sim = on_block(-length, radius, speed, mu);
     run_frames(sim, *find_integrator("velocity_verlet"), 60, 1);
     const double left = std::sqrt(speed * speed - 2.0 * mu * g * length), fall = 1.0 - (speed - left) / (mu * g);
-    EXPECT_NEAR(sim.state.velocity[0].x, left, radius > 0.0 ? 2.0 * mu * g * frame : 1e-10);
-    EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, radius > 0.0 ? 2.0 * g * fall * frame : 1e-10);
+    EXPECT_NEAR(sim.state.velocity[0].x, left, 2.0 * mu * g * frame);
+    EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, 2.0 * g * fall * frame);
   }
 }
 

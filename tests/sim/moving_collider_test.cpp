@@ -30,8 +30,8 @@ Collider floor_with(const ColliderPath& path, double friction) { return {.shape 
 class Moving : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Moving, testing::ValuesIn(every_method()), method_name);
 
-// the point slides until mu g t = v and then moves with the belt: x = v t - v^2 / (2 mu g), and half a substep further with symplectic
-// Euler
+// the point slides until mu g t = v and then moves with the belt: x = v t - v^2 / (2 mu g), up to what it moves along the belt in the substep
+// in which it stops on it, and half a substep further with symplectic Euler
 TEST_P(Moving, ABeltAcceleratesAPointByFrictionUpToItsSpeed) {
   const double mu = 0.4, v = 1.5, reaches = v / (mu * g);
   for (const int substeps : {1, 7}) {
@@ -42,7 +42,8 @@ TEST_P(Moving, ABeltAcceleratesAPointByFrictionUpToItsSpeed) {
     for (int i = before; i < 60; ++i) sim.run(method(), frame, substeps);
     EXPECT_NEAR(sim.state.velocity[0].x, v, 1e-11);
     EXPECT_NEAR(sim.state.position[0].x, v * 1.0 - 0.5 * v * v / (mu * g),
-                method().symplectic ? 1e-10 + std::abs(method().velocity_lag) * v * frame / substeps : 1e-10);
+                (method().symplectic ? std::abs(method().velocity_lag) * v * frame / substeps : 0.0) +
+                    0.125 * mu * g * std::pow(frame / substeps, 2) + 1e-10);
     EXPECT_NEAR(sim.state.position[0].y, 0.02, 1e-13);
   }
 }
@@ -99,7 +100,7 @@ TEST(Moving, ATurntableCarriesPointsUpToTheFrictionLimit) {
     return glm::distance(sim.state.position[0], {r * std::cos(omega), 0.02, -r * std::sin(omega)});
   };
   expect_order([&](int steps) { return error(1.05 * mu, steps); }, 200, 2.0);
-  EXPECT_LT(error(1.05 * mu, 400), 2e-5);
+  EXPECT_LT(error(1.05 * mu, 400), 4e-5);
   EXPECT_GT(error(0.9 * mu, 400), 1e-2);
 }
 

@@ -21,6 +21,14 @@ inline constexpr int impact_passes = 6;
 inline constexpr double max_leverage = 8.0;
 // What approaches more slowly than this multiple of what the accelerations supply in a substep rests.
 inline constexpr double rest_speed = 2.0;
+// And below this part of it, speeds of approach count as zero.
+inline constexpr double quiet_part = 1e-3;
+// Gauss-Seidel sweeps over points that touch each other at most: they end when no velocity changes by more than a tolerance.
+inline constexpr int max_sweeps = 200;
+// Impacts of each path in a substep, after which they lose their restitution; twice as many, and none follow.
+inline constexpr long max_impacts = 64;
+// [rad], by which the path along a ball turns in a substep at most, if it is to be of second order.
+inline constexpr double max_arc = 0.125;
 
 // [m], half a pixel of XSpringies: the distance from a sticky one-way wall within which a point at rest is held.
 inline constexpr double held_distance = 0.005;

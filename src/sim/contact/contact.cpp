@@ -8,7 +8,6 @@
 
 #include "sim/contact/contact_work.h"
 #include "sim/contact/one_way.h"
-#include "sim/contact/point_contact.h"
 #include "sim/forces/bands.h"
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/spring_limits.h"
@@ -65,62 +64,52 @@ class PointPass {
   };
 
   PointPass(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h)
-      : plan_(plan), obstacles_(obstacles), before_(before), motion_(motion), h_(h), n_(static_cast<std::size_t>(plan.points)) {
-    const auto has_friction = [](const Obstacle& obstacle) { return obstacle.collider->friction > 0.0; };
-    keeps_path_ = before.friction_lag != 0.0 && std::ranges::any_of(obstacles, has_friction);
-  }
+      : plan_(plan), obstacles_(obstacles), before_(before), motion_(motion), h_(h), n_(static_cast<std::size_t>(plan.points)) {}
 
   static constexpr std::size_t block = RestingPoints::max;
 
-  void solve_block(std::size_t number, Touches& touches) const {
+  void solve_block(std::size_t number, TouchSimulation& simulation, Touches& touches) const {
     const std::size_t first = number * block, end = std::min(n_, first + block);
-    // most points that touch rest or slide: these at once, but for those that keep the path of the method under friction
     RestingPoints resting{.outcome = before_.outcome.data() + first, .work = before_.work.data() + first};
-    if (!plan_.pairs.on && !plan_.collider_paths.any_moves && !keeps_path_) {
-      solve_resting_points(plan_, h_, first, end, before_.x, before_.v, motion_.x, motion_.v, resting);
-      if (resting.any_solved) touches.first_touch = 0.0, touches.any = true;
-    } else {
-      std::fill_n(resting.outcome, end - first, RestingPoints::Open);
-      std::fill_n(resting.work, end - first, 0.0);
-      resting.any_open = true;
-    }
-    for (std::size_t i = first; resting.any_open && i < end; ++i) {
-      if (before_.outcome[i] != RestingPoints::Open) continue;
-      before_.push_out[i] = Vec3(0.0);
-      solve_point(static_cast<Index>(i), touches);
-    }
+    if (plan_.collider_paths.any_moves) resting.supplied = before_.supplied.data() + first;
+    const char* involved = plan_.pairs.on ? before_.pairs.involved().data() : nullptr;
+    solve_resting_points(plan_, obstacles_, h_, before_.friction_lag, involved, first, end, before_.x, before_.v, motion_.x, motion_.v,
+                         resting);
+    if (resting.any_solved) touches.first_touch = 0.0, touches.any = true;
+    for (std::size_t i = first; resting.any_open && i < end; ++i)
+      if (before_.outcome[i] == RestingPoints::Open) solve_point(static_cast<Index>(i), simulation, touches);
   }
 
  private:
-  void solve_point(Index i, Touches& touches) const {
-    if (plan_.inverse_mass[i] == 0.0 || (plan_.pairs.on && before_.pairs.has_resolved(i))) return;
-    const Vec3 x0 = vector_at(plan_, before_.x, i), x1 = vector_at(plan_, motion_.x, i);
-    const Vec3 v0 = vector_at(plan_, before_.v, i), v1 = vector_at(plan_, motion_.v, i);
-    const double radius = plan_.radius[i], bulge = 0.125 * h_ * glm::length(v1 - v0);
-    const auto is_near = [&](const Obstacle& obstacle) { return may_touch(obstacle, radius, x0, x1, bulge, h_); };
-    if (std::ranges::none_of(obstacles_, is_near)) return;
-
-    // the parabola through both positions with the mean acceleration of the step: its velocity starts ahead of v0
-    const Vec3 a = (v1 - v0) / h_, velocity_correction = without_rounding(plan_, (x1 - x0) / h_ - v0 - 0.5 * h_ * a, x0, h_);
-    PointContactSolver solver(obstacles_, radius, x0, v0, before_.velocity_lag, before_.friction_lag);
-    solver.adhesion = plan_.force_data.sticky.strength * plan_.inverse_mass[i];
-    if (!solver.advance(a, velocity_correction, h_)) return;
+  void solve_point(Index i, TouchSimulation& simulation, Touches& touches) const {
+    const Vec3 x0 = vector_at(plan_, before_.x, i), v1 = vector_at(plan_, motion_.v, i);
+    const double radius = plan_.radius[i];
+    simulation.clear();
+    simulation.begin_frame();
+    simulation.add_point(plan_, i, x0, vector_at(plan_, before_.v, i), vector_at(plan_, motion_.x, i), v1, h_);
+    simulation.add_obstacles(obstacles_, h_);
+    for (std::size_t o = 0; o < obstacles_.size(); ++o) simulation.add_touch(0, obstacles_, o, radius);
+    simulation.leave_obstacles();
+    PointPath& path = simulation.paths.front();
+    path.start_x = path.x;
+    const Vec3 pushed = before_.push_out[i] = path.x - x0;
+    simulation.run_alone(plan_.surface, h_);
+    if (!path.is_changed && pushed == Vec3(0.0)) return;
 
     touches.any = true;
-    touches.any_pushed = touches.any_pushed || solver.push_out != Vec3(0.0);
-    touches.first_touch = std::min(touches.first_touch, solver.first_touch);
-    touches.first_impact = std::min(touches.first_impact, solver.first_impact);
-    before_.push_out[i] = solver.push_out;
-    before_.work[i] = plan_.mass[i] * (solver.gained - glm::dot(a, solver.x - x0 - solver.push_out));
+    touches.any_pushed = touches.any_pushed || pushed != Vec3(0.0);
+    touches.first_touch = std::min(touches.first_touch, pushed != Vec3(0.0) ? 0.0 : simulation.first_touch());
+    touches.first_impact = std::min(touches.first_impact, simulation.first_impact());
+    before_.work[i] = path.contact_work();
+    const Vec3 v = path.v - path.velocity_correction;
     if (plan_.collider_paths.any_moves) {
       double speed = 0.0;
-      for (const Obstacle& obstacle : obstacles_)
-        if (is_near(obstacle)) speed = std::max(speed, max_surface_speed(obstacle, x0, h_));
-      before_.supplied[i] = speed * plan_.mass[i] * (glm::length(solver.v - v1) + h_ * glm::length(a));
+      for (const Obstacle& obstacle : obstacles_) speed = std::max(speed, max_surface_speed(obstacle, x0, h_));
+      before_.supplied[i] = speed * plan_.mass[i] * (glm::length(v - v1) + h_ * glm::length(path.free_acceleration));
     }
     for (int c = 0; c < plan_.dimensions; ++c) {
-      motion_.x[c * n_ + i] = solver.x[c];
-      motion_.v[c * n_ + i] = solver.v[c];
+      motion_.x[c * n_ + i] = path.x[c];
+      motion_.v[c * n_ + i] = v[c];
     }
   }
 
@@ -130,7 +119,6 @@ class PointPass {
   Motion& motion_;
   double h_;
   std::size_t n_;
-  bool keeps_path_;  // x' = x + h v' under friction
 };
 
 // Points that sticky planes accelerate at the start of the substep. Methods whose velocities lag lead them behind planes that move, by half
@@ -169,8 +157,9 @@ bool resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
   constexpr Index min_blocks = 2;  // some microseconds
   const auto blocks = static_cast<Index>((n + PointPass::block - 1) / PointPass::block);
   std::array<PointPass::Touches, max_parts> touches;
+  before.alone.resize(max_parts);
   const int parts = for_parts(plan, blocks, min_blocks, [&](int part, Index first, Index end) {
-    for (Index number = first; number < end; ++number) pass.solve_block(static_cast<std::size_t>(number), touches[part]);
+    for (Index number = first; number < end; ++number) pass.solve_block(static_cast<std::size_t>(number), before.alone[part], touches[part]);
   });
   PointPass::Touches all;
   for (const PointPass::Touches& each : std::span(touches).first(static_cast<std::size_t>(parts))) {

@@ -17,7 +17,8 @@ namespace hooke {
 struct ContactWorkspace {
   double time = 0.0;          // [s]
   double velocity_lag = 0.0;  // [1], of the method (integrator.h)
-  // [1], the same if the path under friction must be the method's own, x' = x + h v' (PointContactSolver); otherwise 0.
+  // [1], the same if the path under friction must be the method's own, x' = x + h v', so that vibrations along a surface gain no energy;
+  // otherwise 0.
   double friction_lag = 0.0;
   Field x, v;
   // Velocities at the end of the substep before the strain limit changed them, if it did: what it changes is no work of forces.
@@ -34,6 +35,7 @@ struct ContactWorkspace {
   Field without_push;                // [m], positions after the substep without that
   const PowerWork* works = nullptr;  // of the step, if the method sweeps over dashpots
   PairSolver pairs;
+  std::vector<TouchSimulation> alone;  // per thread: of points that touch no others
   SurfaceSolver surface;
   // Points may have been edited.
   void begin_frame() {
@@ -43,16 +45,13 @@ struct ContactWorkspace {
   bool has_too_many_pairs() const { return pairs.has_failed() || surface.has_failed(); }
 };
 
-// Corrects the step of h that led from (before.x, before.v) to (motion.x, motion.v). A point's path within the step is
-// the parabola through both positions under the step's mean acceleration; its impacts are solved for on it. Where it
-// touches without bouncing it slides or sticks: its supports exert the normal force, friction up to mu times that.
-// Flights, impacts and slides on planes are exact under constant acceleration, slides on balls second order. Nothing
-// passes through at any speed; a point that starts inside is moved to the surface; if all remaining bounces fall within the
-// step, it comes to rest; resting points keep their bits. All of this is relative to moving colliders, whose positions at
-// both ends of the step are exact, with parabolas between them; their work on the points is added to
-// the ledger as that of colliders, and so is the work of moving out points that start inside. A point sliding on several surfaces is
-// carried by their mean velocity, weighted by friction. Points that may touch others within the step are left to the PairSolver. Returns
-// whether anything touched.
+// Corrects the step of h that led from (before.x, before.v) to (motion.x, motion.v). A point's path within the step is the parabola through
+// both positions under the step's mean acceleration; its impacts are solved for on it. What it touches without bouncing exerts constant
+// forces, with friction (solve_resting_points, TouchSimulation). Flights, impacts and slides on planes are exact under constant
+// acceleration, slides on balls second order. Nothing passes through at any speed; a point that starts inside is moved to the surface, as
+// work of colliders; resting points keep their bits. All of this is relative to moving colliders, whose positions at both ends of the step
+// are exact, with parabolas between them. Points that may touch others within the step are left to the PairSolver. Returns whether anything
+// touched.
 //
 // `before` says whether the strain limit has changed the velocities of `motion`.
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h);

@@ -69,24 +69,6 @@ Gap gap_to(const Collider& collider, double radius, const Vec3& x) {
   return std::visit([&](const auto& shape) { return gap_to(shape, radius, x); }, collider.shape);
 }
 
-// A path is beyond the end of a face when it is so by the tolerance of contact.
-double time_on_face(const Collider& collider, const Parabola& path, double time_limit) {
-  const auto* box = std::get_if<Box>(&collider.shape);
-  if (box == nullptr) return time_limit;
-  const double tolerance = contact_tolerance(path.x);
-  double time = time_limit;
-  for (int c = 0; c < 3; ++c) {
-    const double x = path.x[c];
-    const auto pass = [&](double distance, double sign) {
-      if (const auto passed = first_zero_crossing(distance + tolerance, sign * path.v[c], sign * path.a[c])) time = std::min(time, *passed);
-    };
-    if (x < box->min[c] || x > box->max[c]) continue;
-    pass(box->max[c] - x, -1.0);
-    pass(x - box->min[c], 1.0);
-  }
-  return time;
-}
-
 double contact_tolerance(const Vec3& x) { return 1e-13 * (1.0 + std::abs(x.x) + std::abs(x.y) + std::abs(x.z)); }
 
 bool may_touch(const Collider& collider, double radius, const Vec3& from, const Vec3& to, double bulge) {

@@ -2,6 +2,7 @@
 // tangent plane at their nearest point.
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <optional>
 
 #include "sim/model/system.h"
@@ -22,14 +23,14 @@ struct Parabola {
   Vec3 velocity(double t) const { return v + t * a; }
 };
 
+// The component of w perpendicular to the unit vector `normal`.
+inline Vec3 tangential(const Vec3& normal, const Vec3& w) { return w - glm::dot(w, normal) * normal; }
+
 // Of a point of `radius` [m] at x. At the center of a sphere the normal is up.
 Gap gap_to(const Collider& collider, double radius, const Vec3& x);
 
 // Gaps up to this [m] count as contact: round-off of a point placed on a surface.
 double contact_tolerance(const Vec3& x);
-
-// The time [s] up to `time_limit` after which a path along a face of a box leaves it.
-double time_on_face(const Collider& collider, const Parabola& path, double time_limit);
 
 // False if a point that moves from `from` to `to`, deviating from the straight line by no more than `bulge` [m], certainly misses the
 // collider. Cheap, for the many points that are far from everything.

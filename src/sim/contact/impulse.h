@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
-#include "sim/model/system.h"
+#include "sim/contact/constants.h"
+#include "sim/plan/plan.h"
 
 namespace hooke {
 
@@ -26,6 +28,17 @@ inline Vec3 change_impulse(ContactImpulse& impulse, double new_normal, const Vec
   const double square = glm::dot(impulse.friction, impulse.friction), max = friction * impulse.normal;
   if (square > max * max) impulse.friction *= max / std::sqrt(square);
   return total + (impulse.friction - before);
+}
+
+// How overlaps of points and of surfaces are removed: by the velocity `rate` times the overlap [1/s], which is the bias of a soft constraint
+// with frequency omega and damping ratio zeta (E. Catto, Box2D v3, b2MakeSoft), and by no more than the force of its spring, which
+// accelerates by `stiffness` times the overlap [1/s^2]. Unlike there, what approaches is stopped by any force.
+struct SoftConstraint {
+  double rate = 0.0, stiffness = 0.0;
+};
+inline SoftConstraint soft_constraint(const SurfacePlan& plan, double h) {
+  const double omega = 2.0 * std::numbers::pi * std::min(plan.frequency, contact::max_frequency / h);
+  return {omega / (2.0 * plan.damping_ratio + h * omega), omega * omega};
 }
 
 }  // namespace hooke

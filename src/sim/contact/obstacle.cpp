@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "sim/contact/gap.h"
-#include "sim/contact/supports.h"
 
 namespace hooke {
 

@@ -34,7 +34,7 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
   long work = static_cast<long>(pairs_.size());
   while (true) {
     fill(plan, obstacles, x0, v0, h, motion);
-    simulation_.begin(h, plan.gravity);
+    simulation_.begin(plan.surface, h);
     const auto is_affordable = [&] { return excess_ + work + simulation_.work() - usual_work(plan.points) <= max_excess; };
     bool is_complete = is_within_bounds(plan, x0, h);
     while (is_complete && is_affordable() && simulation_.advance()) is_complete = is_within_bounds(plan, x0, h);
@@ -118,23 +118,12 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
   simulation_.clear();
   watched_.clear();
   path_of_.assign(plan.points, no_path);
-  const auto add_path = [&](Index i) {
+  for (Index i = 0; i < plan.points; ++i) {
+    if (is_involved_[i] == 0) continue;
     path_of_[i] = simulation_.paths.size();
-    const Vec3 x = vector_at(plan, x0, i), v = vector_at(plan, v0, i);
-    PointPath path{.point = i, .inverse_mass = plan.inverse_mass[i], .x = x, .v = v};
-    if (!is_fixed(plan, i)) {
-      const Vec3 change = vector_at(plan, motion.v, i) - v;
-      path.a = path.free_acceleration = change / h;
-      path.velocity_correction = (vector_at(plan, motion.x, i) - x) / h - v - 0.5 * change;
-      path.v += path.velocity_correction;
-      path.velocity_change = glm::length(change);
-      path.start_x = x;
-      path.start_v = path.v;
-    }
-    simulation_.paths.push_back(path);
-  };
-  for (Index i = 0; i < plan.points; ++i)
-    if (is_involved_[i] != 0) add_path(i);
+    simulation_.add_point(plan, i, vector_at(plan, x0, i), vector_at(plan, v0, i), vector_at(plan, motion.x, i), vector_at(plan, motion.v, i),
+                          h);
+  }
 
   for (const PointPair& pair : pairs_) {
     const bool first = is_involved_[pair.i] != 0, second = is_involved_[pair.j] != 0;
@@ -152,29 +141,17 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
   }
   std::ranges::sort(watched_);
   const std::size_t points = simulation_.paths.size();
-  for (const Obstacle& obstacle : obstacles)
-    simulation_.paths.push_back({.x = obstacle.offset,
-                                 .v = obstacle.velocity + obstacle.velocity_correction,
-                                 .a = obstacle.acceleration,
-                                 .velocity_correction = obstacle.velocity_correction,
-                                 .velocity_change = h * glm::length(obstacle.acceleration)});
+  simulation_.add_obstacles(obstacles, h);
   for (std::size_t p = 0; p < points; ++p) {
     const Index i = simulation_.paths[p].point;
     if (is_fixed(plan, i)) continue;
-    for (const Obstacle& obstacle : obstacles) {
-      const auto number = static_cast<std::size_t>(&obstacle - obstacles.data());
+    for (std::size_t o = 0; o < obstacles.size(); ++o) {
+      const Obstacle& obstacle = obstacles[o];
       const double moved =
           h * (glm::length(obstacle.velocity_at(0.0)) + glm::length(obstacle.velocity_at(h)) + glm::length(obstacle.velocity_correction));
       const Vec3 position = vector_at(plan, x0, i) - obstacle.offset_at(0.0);
       if (gap_to(*obstacle.collider, plan.radius[i], position).distance > margin_[i] + moved) continue;
-      simulation_.touches.push_back({.first = p,
-                                     .second = points + number,
-                                     .obstacle = &obstacle,
-                                     .point = i,
-                                     .other = -2 - static_cast<Index>(number),
-                                     .distance = plan.radius[i],
-                                     .restitution = obstacle.collider->restitution,
-                                     .friction = obstacle.collider->friction});
+      simulation_.add_touch(p, obstacles, o, plan.radius[i]);
     }
   }
 }

@@ -35,8 +35,8 @@ class PairSolver {
   // Corrects the step of h from (x0, v0) to (motion.x, motion.v) for all points that may touch another, contact with obstacles included.
   // Returns whether anything touched.
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
-  // Whether the last call dealt with the point, which then needs nothing else.
-  bool has_resolved(Index i) const { return is_involved_[i] != 0; }
+  // Per point: not 0, if the last call dealt with it, so that it needs nothing else.
+  std::span<const char> involved() const { return is_involved_; }
   // The pairs that may have touched in the last call, in ascending order.
   std::span<const PointPair> near() const { return near_; }
   // [J], of contact in the substep, in addition to that of the forces, and how much of it the hand and colliders may have supplied.

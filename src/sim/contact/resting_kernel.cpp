@@ -1,10 +1,12 @@
-// The operations of point_contact.cpp on vectors of points, on one path through it: no obstacle is penetrated, and one support is loaded
-// for the whole step. Compiled once for each vector unit by Highway, which picks one at run time; the same IEEE operations in the same
-// order as there, in every width.
+// Compiled once for each vector unit by Highway, which picks one at run time; the same IEEE operations in every width.
 #include "sim/contact/resting_kernel.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <type_traits>
 #include <variant>
+
+#include "sim/contact/constants.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/contact/resting_kernel.cpp"
@@ -21,30 +23,23 @@ using Lane = hn::Vec<PointLanes>;
 using LaneMask = hn::Mask<PointLanes>;
 
 HWY_INLINE Lane same(double number) { return hn::Set(PointLanes(), number); }
-HWY_INLINE LaneMask same_if(bool value) { return hn::FirstN(PointLanes(), value ? hn::Lanes(PointLanes()) : 0); }
 
 struct LaneVec3 {
   Lane x, y, z;
 };
 HWY_INLINE LaneVec3 same(const Vec3& a) { return {same(a.x), same(a.y), same(a.z)}; }
-HWY_INLINE LaneVec3 sum(const LaneVec3& a, const LaneVec3& b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
-HWY_INLINE LaneVec3 difference(const LaneVec3& a, const LaneVec3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE LaneVec3 times(Lane s, const LaneVec3& a) { return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)}; }
-HWY_INLINE LaneVec3 over(const LaneVec3& a, Lane s) { return {hn::Div(a.x, s), hn::Div(a.y, s), hn::Div(a.z, s)}; }
-HWY_INLINE Lane dot_of(const LaneVec3& a, const LaneVec3& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-HWY_INLINE Lane length_of(const LaneVec3& a) { return hn::Sqrt(dot_of(a, a)); }
+HWY_INLINE LaneVec3 plus(const LaneVec3& a, const LaneVec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+HWY_INLINE LaneVec3 minus(const LaneVec3& a, const LaneVec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+HWY_INLINE LaneVec3 times(Lane s, const LaneVec3& a) { return {s * a.x, s * a.y, s * a.z}; }
+HWY_INLINE LaneVec3 over(const LaneVec3& a, Lane s) { return {a.x / s, a.y / s, a.z / s}; }
+HWY_INLINE Lane dot(const LaneVec3& a, const LaneVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+HWY_INLINE Lane length(const LaneVec3& a) { return hn::Sqrt(dot(a, a)); }
 HWY_INLINE LaneVec3 choose(LaneMask mask, const LaneVec3& yes, const LaneVec3& no) {
   return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
-HWY_INLINE LaneMask equal(const LaneVec3& a, const LaneVec3& b) {
-  return hn::And(hn::And(hn::Eq(a.x, b.x), hn::Eq(a.y, b.y)), hn::Eq(a.z, b.z));
-}
-HWY_INLINE LaneVec3 tangential_to(const LaneVec3& normal, const LaneVec3& w) { return difference(w, times(dot_of(w, normal), normal)); }
-// 1 + |x| + |y| + |z|
-HWY_INLINE Lane magnitude(const LaneVec3& x) { return hn::Add(hn::Add(hn::Add(same(1.0), hn::Abs(x.x)), hn::Abs(x.y)), hn::Abs(x.z)); }
-HWY_INLINE Lane tolerance_at(const LaneVec3& x) { return hn::Mul(same(1e-13), magnitude(x)); }
+HWY_INLINE LaneVec3 across(const LaneVec3& normal, const LaneVec3& w) { return minus(w, times(dot(w, normal), normal)); }
+// As contact_tolerance.
+HWY_INLINE Lane tolerance_at(const LaneVec3& x) { return same(1e-13) * (same(1.0) + hn::Abs(x.x) + hn::Abs(x.y) + hn::Abs(x.z)); }
 
 struct LaneGap {
   Lane distance;
@@ -52,235 +47,137 @@ struct LaneGap {
   Lane curvature;
 };
 HWY_INLINE LaneGap lane_gap(const Sphere& sphere, Lane radius, const LaneVec3& x) {
-  const LaneVec3 out = difference(x, same(sphere.center));
-  const Lane length = length_of(out), inflated_radius = hn::Add(same(sphere.radius), radius);
-  return {hn::Sub(length, inflated_radius), over(out, length), hn::Div(same(1.0), inflated_radius)};
+  const LaneVec3 out = minus(x, same(sphere.center));
+  const Lane distance = length(out), inflated_radius = same(sphere.radius) + radius;
+  return {distance - inflated_radius, over(out, distance), same(1.0) / inflated_radius};
 }
 HWY_INLINE LaneGap lane_gap(const Plane& plane, Lane radius, const LaneVec3& x) {
   const LaneVec3 normal = same(plane.normal);
-  return {hn::Sub(dot_of(normal, difference(x, same(plane.point))), radius), normal, same(0.0)};
+  return {dot(normal, minus(x, same(plane.point))) - radius, normal, same(0.0)};
+}
+// Not a number inside.
+HWY_INLINE LaneGap lane_gap(const Box& box, Lane radius, const LaneVec3& x) {
+  const auto outside = [](Lane at, double min, double max) HWY_ATTR { return at - hn::Max(same(min), hn::Min(at, same(max))); };
+  const LaneVec3 out{outside(x.x, box.min.x, box.max.x), outside(x.y, box.min.y, box.max.y), outside(x.z, box.min.z, box.max.z)};
+  const Lane distance = length(out);
+  return {distance - radius, over(out, distance), same(0.0)};
 }
 
-// Points during a step.
-struct Step {
-  double h;
-  Lane radius;
-  LaneVec3 x0, v0, x1, v1;  // at its start, and at its end without contact
-  LaneVec3 a;               // its mean acceleration
-  Lane size_of_a;
+// Points during a step without contact, perhaps relative to an obstacle.
+struct Path {
+  LaneVec3 x0, v0, x1, v1;
 };
+HWY_INLINE bool is_in_place(const Obstacle& obstacle) { return obstacle.offset == Vec3(0.0) && !moves(obstacle); }
+HWY_INLINE Path relative_to(const Obstacle& obstacle, double h, const Path& path) {
+  if (is_in_place(obstacle)) return path;
+  return {minus(path.x0, same(obstacle.offset)), minus(path.v0, same(obstacle.velocity)), minus(path.x1, same(obstacle.offset_at(h))),
+          minus(path.v1, same(obstacle.velocity_at(h)))};
+}
+
+// Those that certainly stay clear of a shape, which lies behind the tangent plane below their start: paths deviate from the straight line by
+// at most an eighth of h times the change of their velocity. False if a number is not one.
+HWY_INLINE LaneMask stay_clear(const Collider& collider, double h, Lane radius, const Path& path) {
+  return std::visit(
+      [&](const auto& shape) HWY_ATTR {
+        const LaneGap gap = lane_gap(shape, radius, path.x0);
+        const Lane end = hn::Min(same(0.0), dot(gap.normal, minus(path.x1, path.x0)));
+        const Lane bulge = same(0.125 * h) * hn::Abs(dot(gap.normal, minus(path.v1, path.v0)));
+        return hn::Gt(gap.distance + end - bulge, tolerance_at(path.x0) + tolerance_at(gap.normal));
+      },
+      collider.shape);
+}
 
 struct Corrected {
-  LaneVec3 x, v;
+  LaneVec3 x, v;          // at the end, v with the correction of the method's path
+  LaneVec3 start, extra;  // velocities: at the start with that correction, and that correction at the end
   LaneMask is_solved;
-  Lane gained;  // [m^2/s^2], kinetic energy per mass along the path
 };
-HWY_INLINE Lane gain_of(const LaneVec3& end, const LaneVec3& start) {
-  return hn::Mul(same(0.5), hn::Sub(dot_of(end, end), dot_of(start, start)));
+
+// From the tangent plane at the start, where the normal acceleration is `load`, down to the ball.
+HWY_INLINE void follow_ball(const LaneGap& gap, Lane load, double friction, double h, const LaneVec3& a, const LaneVec3& x0,
+                            Corrected& end) {
+  const Lane zero = same(0.0), half_time = same(0.5 * h), radius = same(1.0) / gap.curvature;
+  const LaneVec3 displacement = minus(end.x, x0);
+  const Lane square = dot(displacement, displacement);
+  const Lane fall = zero - square / (radius + hn::Sqrt(radius * radius - square));
+  const LaneVec3 normal = plus(gap.normal, over(plus(displacement, times(fall, gap.normal)), radius));
+  const LaneVec3 velocity = across(normal, plus(end.v, times(fall / same(h) + half_time * dot(a, gap.normal), gap.normal)));
+  const Lane speed = length(velocity);
+  const Lane end_load = hn::Max(zero, zero - dot(a, normal) - gap.curvature * dot(velocity, velocity));
+  const Lane rest = hn::Max(zero, same(1.0) - half_time * same(friction) * (end_load - load) / speed);
+  end.x = plus(end.x, times(fall, gap.normal));
+  end.v = times(hn::IfThenElse(hn::Gt(speed, zero), rest, zero), velocity);
 }
 
-// The normal force over mass, and the acceleration under it; `holds`: the support is loaded, and the point does not move into it.
-struct Load {
-  Lane normal_acceleration;
-  LaneVec3 constrained;
-  LaneMask holds;
-};
-HWY_INLINE Load load_of(const LaneGap& gap, const LaneVec3& a, Lane size_of_a, const LaneVec3& v) {
-  const Lane centripetal = hn::Mul(gap.curvature, dot_of(v, v)), min = hn::Neg(hn::Mul(same(1e-12), size_of_a));
-  const Lane separation = hn::Add(dot_of(gap.normal, a), centripetal), normal_acceleration = hn::Neg(separation);
-  const LaneVec3 constrained = sum(a, times(normal_acceleration, gap.normal));
-  const LaneMask is_feasible = hn::Ge(hn::Add(dot_of(gap.normal, constrained), centripetal), min);
-  return {normal_acceleration, constrained, hn::And(hn::And(hn::Lt(separation, min), hn::Gt(normal_acceleration, same(0.0))), is_feasible)};
-}
-
-// Friction against the acceleration `drive` along the surface, as in PointContactSolver::plan_segment.
-struct Hold {
-  Lane required, max;
-  LaneMask is_still, sticks;
-};
-HWY_INLINE Hold hold_of(double friction, const LaneVec3& drive, const Load& load, const Step& step, Lane speed) {
-  Hold hold{length_of(drive), hn::Mul(same(friction), load.normal_acceleration), {}, {}};
-  const Lane margin = hn::Sub(hold.max, hold.required);
-  const LaneMask is_about_to_stop =
-      hn::And(hn::Le(speed, hn::Mul(margin, same(step.h))), hn::Le(hn::Mul(speed, speed), hn::Mul(margin, tolerance_at(step.x0))));
-  hold.is_still = hn::Or(hn::Le(speed, same(0.0)), is_about_to_stop);
-  hold.sticks = hn::And(hold.is_still, hn::Le(hold.required, hn::Add(hold.max, hn::Mul(same(1e-12), step.size_of_a))));
-  return hold;
-}
-
-// PointContactSolver::follow_surface, from the tangent plane down to the ball.
-HWY_INLINE void follow_ball(const LaneGap& gap, const Load& load, double friction, const Step& step, LaneVec3& x, LaneVec3& v) {
-  const Lane zero = same(0.0), half_time = hn::Mul(same(0.5), same(step.h)), radius = hn::Div(same(1.0), gap.curvature);
-  const LaneVec3 displacement = difference(x, step.x0);
-  const Lane square = dot_of(displacement, displacement);
-  const Lane fall = hn::Div(hn::Neg(square), hn::Add(radius, hn::Sqrt(hn::Sub(hn::Mul(radius, radius), square))));
-  const LaneVec3 normal = sum(gap.normal, over(sum(displacement, times(fall, gap.normal)), radius));
-  const Lane along_normal = hn::Add(hn::Div(fall, same(step.h)), hn::Mul(half_time, dot_of(step.a, gap.normal)));
-  const LaneVec3 velocity = tangential_to(normal, sum(v, times(along_normal, gap.normal)));
-  const Lane slip = length_of(velocity);
-  const Lane at_end = hn::Sub(hn::Neg(dot_of(step.a, normal)), hn::Mul(gap.curvature, dot_of(velocity, velocity)));
-  const Lane end_load = hn::IfThenElse(hn::Lt(zero, at_end), at_end, zero);
-  const Lane loss = hn::Mul(hn::Mul(half_time, same(friction)), hn::Sub(end_load, load.normal_acceleration));
-  const Lane rest = hn::Sub(same(1.0), hn::Div(loss, slip));
-  const LaneVec3 slowed = times(hn::IfThenElse(hn::Lt(zero, rest), rest, zero), velocity);
-  x = sum(x, times(fall, gap.normal));
-  v = sum(LaneVec3{zero, zero, zero}, choose(hn::Gt(slip, zero), slowed, velocity));
-}
-
-// PointContactSolver::advance on `shape` at rest, of points that stick to it or slide along it for the whole step.
+// Along a shape at rest.
 template <class Shape>
-HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step) {
+HWY_INLINE Corrected slide(const Shape& shape, double friction, double lag, double h, double unknown_speed, Lane radius,
+                           const Path& path) {
   constexpr bool is_curved = std::is_same_v<Shape, Sphere>;
-  const PointLanes d;
-  const Lane zero = same(0.0), h = same(step.h);
-  const LaneVec3 none{zero, zero, zero}, &a = step.a;
-  const auto is_along = [&](const LaneVec3& normal, const LaneVec3& velocity) HWY_ATTR {
-    const Lane max = hn::Mul(same(1e-12), hn::Add(length_of(velocity), hn::Mul(h, step.size_of_a)));
-    return hn::Le(hn::Abs(dot_of(velocity, normal)), max);
-  };
+  const Lane zero = same(0.0), time = same(h);
+  const LaneVec3 none{zero, zero, zero}, change = minus(path.v1, path.v0), a = over(change, time);
+  const LaneGap gap = lane_gap(shape, radius, path.x0);
+  const Lane round_off = same(1e-12) * length(change);
 
-  // on the surface, and moving neither into it nor away from it
-  const LaneGap gap = lane_gap(shape, step.radius, step.x0);
-  LaneVec3 v = friction == 0.0 ? step.v0 : sum(step.v0, none);
-  LaneMask is_solved = hn::Le(hn::Abs(gap.distance), tolerance_at(step.x0));
-  if (hn::AllFalse(d, is_solved)) return {step.x0, v, is_solved, zero};
-  Load load = load_of(gap, a, step.size_of_a, v);
-  is_solved = hn::And(is_solved, hn::And(is_along(gap.normal, v), load.holds));
-  if (hn::AllFalse(d, is_solved)) return {step.x0, v, is_solved, zero};
-
-  // without friction, a point that slides starts with the velocity of the method's path
-  LaneVec3 velocity_correction = none;
+  // on the surface, moving neither into it nor away from it, and pressing on it
+  Corrected end{path.x0, none, path.v0, none, {}};
+  end.is_solved = hn::And(hn::Le(hn::Abs(gap.distance), tolerance_at(path.x0)),
+                          hn::Le(hn::Abs(dot(path.v0, gap.normal)), round_off + same(1e-12) * length(path.v0) + same(unknown_speed)));
+  if (hn::AllFalse(PointLanes(), end.is_solved)) return end;
   if (friction == 0.0) {
-    const LaneVec3 of_method = difference(difference(over(difference(step.x1, step.x0), h), v), times(same(0.5 * step.h), a));
-    const LaneVec3 along = difference(of_method, times(dot_of(of_method, gap.normal), gap.normal));
-    velocity_correction = choose(equal(v, none), none, along);
-    v = sum(v, velocity_correction);
-    load = load_of(gap, a, step.size_of_a, v);
-    is_solved = hn::And(is_solved, hn::And(is_along(gap.normal, v), load.holds));
+    const LaneVec3 mean = times(same(0.5), plus(path.v0, path.v1));
+    end.extra = across(gap.normal, minus(over(minus(path.x1, path.x0), time), mean));
+    end.start = plus(path.v0, end.extra);
   }
+  const Lane load = zero - dot(gap.normal, a) - gap.curvature * dot(end.start, end.start);
+  end.is_solved = hn::And(end.is_solved, hn::Gt(load * time, round_off));
 
-  // sticks, starts to slide, or slides without an end
-  const LaneVec3 start = v, drive = is_curved ? tangential_to(gap.normal, load.constrained) : load.constrained;
-  const Lane speed = length_of(v);
-  const auto [required, max_friction, is_still, sticks] = hold_of(friction, drive, load, step, speed);
-  v = choose(sticks, none, v);
-  if (hn::AllFalse(d, hn::AndNot(sticks, is_solved)))
-    return {sum(step.x0, none), difference(v, velocity_correction), is_solved, gain_of(v, start)};
-  const LaneVec3 starting = choose(sticks, none, sum(none, times(hn::Sub(same(1.0), hn::Div(max_friction, required)), drive)));
-  const LaneVec3 sliding = difference(drive, times(hn::Div(max_friction, speed), v));
-  const Lane deceleration = hn::Div(hn::Neg(dot_of(sliding, v)), speed);
-  is_solved = hn::And(is_solved, hn::Or(is_still, hn::Not(hn::Ge(hn::Mul(deceleration, h), speed))));
-  const LaneVec3 acceleration = sum(choose(is_still, starting, sliding), none);
+  // friction takes the direction of the end; what it stops within the step starts anew from rest, as far as forces then exceed it
+  const LaneVec3 drive = across(gap.normal, change);
+  const Lane one = same(1.0), loss = same(friction) * load * time, square = dot(end.start, end.start);
+  const Lane slowing = loss * hn::Sqrt(square) - dot(drive, end.start);
+  const LaneMask stops = hn::And(hn::Gt(slowing, square), hn::Gt(same(lag == 0.0 ? 1.0 : 0.0), zero));
+  const Lane until = hn::IfThenElse(stops, square / slowing, one), left = hn::IfThenElse(stops, one - until, one);
+  const LaneVec3 driven = choose(stops, drive, plus(end.start, drive));
+  const Lane speed = length(driven);
+  const LaneMask sticks = hn::Le(speed, loss + round_off);
+  end.v = choose(sticks, none, times(left * (one - loss / speed), driven));
+  if (lag != 0.0) {
+    end.extra = choose(sticks, none, times(same(lag), minus(end.v, end.start)));
+    end.start = plus(end.start, end.extra);
+    end.v = plus(end.v, end.extra);
+  }
+  LaneVec3 displacement = times(same(0.5 * h), plus(times(until, end.start), times(left, end.v)));
+  if (lag != 0.0) displacement = choose(sticks, none, displacement);
+  end.x = plus(path.x0, displacement);
   if constexpr (is_curved) {
-    const Lane path = hn::Add(hn::IfThenZeroElse(sticks, speed), hn::Mul(h, length_of(acceleration)));
-    const Lane falls = hn::Mul(gap.curvature, hn::Add(dot_of(v, a), hn::Mul(same(2.0), dot_of(v, acceleration))));
-    is_solved = hn::And(is_solved, hn::And(hn::Le(hn::Mul(hn::Mul(gap.curvature, h), path), same(0.125)),
-                                           hn::Le(hn::Mul(falls, h), load.normal_acceleration)));
+    const LaneVec3 change_along = minus(end.v, end.start);
+    const Lane falls = gap.curvature * (dot(end.start, change) + same(2.0) * dot(end.start, change_along));
+    const Lane arc = gap.curvature * time * (length(end.start) + length(change_along));
+    end.is_solved = hn::And(end.is_solved, hn::Or(sticks, hn::And(hn::Le(arc, same(contact::max_arc)), hn::Le(falls, load))));
+    follow_ball(gap, load, friction, h, a, path.x0, end);
   }
-  LaneVec3 x = sum(step.x0, times(h, sum(v, times(hn::Mul(same(0.5), h), acceleration))));
-  v = sum(v, times(h, acceleration));
-  const LaneMask has_moved = hn::Not(equal(x, step.x0));
-  LaneVec3 end_x = x, end_v = v;
-  if constexpr (is_curved) follow_ball(gap, load, friction, step, end_x, end_v);
 
-  // round-off
-  const LaneGap left = lane_gap(shape, step.radius, end_x);
-  const LaneMask is_near = hn::And(hn::Le(hn::Abs(left.distance), tolerance_at(end_x)), hn::Ge(dot_of(left.normal, gap.normal), same(0.9)));
-  is_solved = hn::And(is_solved, hn::Or(hn::Not(has_moved), hn::Le(left.distance, tolerance_at(end_x))));
-  end_x = choose(is_near, difference(end_x, times(left.distance, left.normal)), end_x);
-  end_v = choose(is_near, difference(end_v, times(dot_of(end_v, left.normal), left.normal)), end_v);
-  const LaneVec3 turned = difference(velocity_correction, times(dot_of(velocity_correction, left.normal), left.normal));
-  velocity_correction = choose(hn::And(has_moved, is_near), turned, velocity_correction);
-  x = choose(has_moved, end_x, x);
-  v = choose(has_moved, end_v, v);
-  const LaneMask is_outside = hn::Ge(lane_gap(shape, step.radius, x).distance, hn::Neg(tolerance_at(x)));
-  is_solved = hn::And(is_solved, hn::Or(is_outside, hn::Not(has_moved)));
-  return {x, difference(v, velocity_correction), is_solved, gain_of(v, start)};
+  // round-off, and what does not move keeps its bits
+  const LaneGap on = lane_gap(shape, radius, end.x);
+  const LaneMask moves = hn::Gt(hn::Abs(displacement.x) + hn::Abs(displacement.y) + hn::Abs(displacement.z), zero);
+  end.x = choose(moves, minus(end.x, times(on.distance, on.normal)), path.x0);
+  end.v = choose(sticks, none, across(on.normal, end.v));
+  end.extra = choose(sticks, none, across(on.normal, end.extra));
+  return end;
 }
 
-// [m], of the coordinates of a shape: round-off is a small part of it.
-HWY_INLINE double size_of(double number) { return number < 0.0 ? -number : number; }
-HWY_INLINE double extent_of(const Vec3& a) { return size_of(a.x) + size_of(a.y) + size_of(a.z); }
-HWY_INLINE double extent_of(const Sphere& sphere) { return extent_of(sphere.center) + sphere.radius; }
-HWY_INLINE double extent_of(const Plane& plane) { return extent_of(plane.point); }
-
-// The gap at the start of the step, and along the normal there the displacement and h times the acceleration.
-struct Approach {
-  Lane gap, displacement, velocity_change;
-};
-HWY_INLINE Approach approach_to(const Sphere& sphere, const Step& step) {
-  const LaneVec3 out = difference(step.x0, same(sphere.center));
-  const Lane length = length_of(out), along = hn::Div(same(1.0), length);
-  return {hn::Sub(length, hn::Add(same(sphere.radius), step.radius)), hn::Mul(along, dot_of(out, difference(step.x1, step.x0))),
-          hn::Mul(along, dot_of(out, difference(step.v1, step.v0)))};
-}
-HWY_INLINE Approach approach_to(const Plane& plane, const Step& step) {
-  const LaneVec3 normal = same(plane.normal);
-  return {hn::Sub(dot_of(normal, difference(step.x0, same(plane.point))), step.radius), dot_of(normal, difference(step.x1, step.x0)),
-          dot_of(normal, difference(step.v1, step.v0))};
-}
-
-// Whether points in flight certainly stay clear of the shape, which lies behind the tangent plane below their start: their path deviates
-// from the straight line by at most an eighth of h times the change of their velocity.
-template <class Shape>
-HWY_INLINE LaneMask stay_clear(const Shape& shape, const Step& step) {
-  const auto [gap, displacement, velocity_change] = approach_to(shape, step);
-  const Lane bulge = hn::Mul(same(0.125 * step.h), hn::Abs(velocity_change));
-  const Lane margin = hn::Mul(same(1e-12), hn::Add(magnitude(step.x0), same(extent_of(shape))));
-  return hn::Gt(hn::Sub(hn::Add(gap, hn::Min(displacement, same(0.0))), bulge), margin);
-}
-HWY_INLINE LaneMask stay_clear(const ColliderShape& any_shape, const Step& step) {
-  if (const auto* sphere = std::get_if<Sphere>(&any_shape)) return stay_clear(*sphere, step);
-  if (const auto* plane = std::get_if<Plane>(&any_shape)) return stay_clear(*plane, step);
-  return same_if(false);
-}
-
-// The mean acceleration.
-HWY_INLINE void set_acceleration(Step& step) {
-  step.a = over(difference(step.v1, step.v0), same(step.h));
-  step.size_of_a = length_of(step.a);
-}
-
-// Whether points may come within `reach` of the shape. Also if a number is not one.
-HWY_INLINE LaneMask may_reach(const Sphere& sphere, Lane reach, const LaneVec3& x) {
-  const LaneVec3 out = difference(x, same(sphere.center));
-  const Lane limit = hn::Add(same(sphere.radius), reach);
-  return hn::Not(hn::Gt(dot_of(out, out), hn::Mul(limit, limit)));
-}
-HWY_INLINE LaneMask may_reach(const Plane& plane, Lane reach, const LaneVec3& x) {
-  return hn::Not(hn::Gt(dot_of(same(plane.normal), difference(x, same(plane.point))), reach));
-}
-HWY_INLINE LaneMask may_reach(const Box& box, Lane reach, const LaneVec3& x) {
-  const auto is_between = [&](Lane at, double min, double max) HWY_ATTR {
-    return hn::Not(hn::Or(hn::Lt(at, hn::Sub(same(min), reach)), hn::Gt(at, hn::Add(same(max), reach))));
-  };
-  return hn::And(hn::And(is_between(x.x, box.min.x, box.max.x), is_between(x.y, box.min.y, box.max.y)),
-                 is_between(x.z, box.min.z, box.max.z));
-}
-
-// The same for any shape, with a margin for round-off, which is a small part of the coordinates.
-HWY_INLINE LaneMask may_reach(const ColliderShape& any_shape, Lane reach, const LaneVec3& x) {
-  const auto extended = [&](double extent) HWY_ATTR { return hn::Add(reach, hn::Mul(same(1e-12), hn::Add(magnitude(x), same(extent)))); };
-  if (const auto* sphere = std::get_if<Sphere>(&any_shape)) return may_reach(*sphere, extended(extent_of(*sphere)), x);
-  if (const auto* plane = std::get_if<Plane>(&any_shape)) return may_reach(*plane, extended(extent_of(*plane)), x);
-  return may_reach(*std::get_if<Box>(&any_shape), extended(0.0), x);
-}
-
-HWY_INLINE LaneVec3 load_point(const Plan& plan, const double* field, std::size_t i) {
+// The first `count` lanes, others 0.
+HWY_INLINE Lane load(const double* from, std::size_t count) {
   const PointLanes d;
-  const std::size_t n = static_cast<std::size_t>(plan.points);
-  return {hn::LoadU(d, field + i), hn::LoadU(d, field + n + i), plan.dimensions == 3 ? hn::LoadU(d, field + 2 * n + i) : hn::Zero(d)};
+  if (count == hn::Lanes(d)) return hn::LoadU(d, from);
+  HWY_ALIGN double values[8] = {};
+  std::copy_n(from, count, values);
+  return hn::Load(d, values);
 }
-HWY_INLINE void store_point(const Plan& plan, const LaneVec3& value, LaneMask mask, double* field, std::size_t i) {
-  const PointLanes d;
+HWY_INLINE LaneVec3 load_point(const Plan& plan, const double* field, std::size_t i, std::size_t count) {
   const std::size_t n = static_cast<std::size_t>(plan.points);
-  hn::BlendedStore(value.x, mask, d, field + i);
-  hn::BlendedStore(value.y, mask, d, field + n + i);
-  if (plan.dimensions == 3) hn::BlendedStore(value.z, mask, d, field + 2 * n + i);
-}
-
-HWY_INLINE Lane work_per_mass(const Step& step, const Corrected& corrected) {
-  return hn::Sub(corrected.gained, dot_of(step.a, difference(corrected.x, step.x0)));
+  return {load(field + i, count), load(field + n + i, count), plan.dimensions == 3 ? load(field + 2 * n + i, count) : same(0.0)};
 }
 
 // One per lane, from the lowest bit up.
@@ -290,75 +187,121 @@ HWY_INLINE unsigned bits_of(LaneMask mask) {
   return bits[0];
 }
 
-// Of the points of a vector, those that are `open` if they touch, and of these the `solved` ones.
-HWY_INLINE void set_outcomes(unsigned open, unsigned solved, RestingPoints& points, RestingPoints::Outcome* outcome) {
-  points.any_solved = points.any_solved || solved != 0;
-  points.any_open = points.any_open || (open & ~solved) != 0;
-  for (std::size_t lane = 0; lane < hn::Lanes(PointLanes()); ++lane)
-    if ((open >> lane & 1U) != 0) outcome[lane] = (solved >> lane & 1U) != 0 ? RestingPoints::Solved : RestingPoints::Open;
+// The first `count` lanes: what is behind them may belong to another thread, or to nobody.
+HWY_INLINE void store(Lane value, LaneMask mask, std::size_t count, double* to) {
+  const PointLanes d;
+  if (count == hn::Lanes(d)) return hn::BlendedStore(value, mask, d, to);
+  HWY_ALIGN double values[8];
+  hn::Store(value, d, values);
+  const unsigned bits = bits_of(mask);
+  for (std::size_t lane = 0; lane < count; ++lane)
+    if ((bits >> lane & 1U) != 0) to[lane] = values[lane];
+}
+HWY_INLINE void store_point(const Plan& plan, const LaneVec3& value, LaneMask mask, std::size_t count, double* field, std::size_t i) {
+  const std::size_t n = static_cast<std::size_t>(plan.points);
+  store(value.x, mask, count, field + i);
+  store(value.y, mask, count, field + n + i);
+  if (plan.dimensions == 3) store(value.z, mask, count, field + 2 * n + i);
 }
 
-// Of the lanes `near` the collider: those that may touch it are `open`. Those near no other are corrected and `solved`, if they can be.
-HWY_INLINE void solve_on(const Plan& plan, const Collider& collider, Step& step, LaneMask near, LaneMask several, std::size_t i, double* x,
-                         double* v, Lane& work, LaneMask& open, LaneMask& solved) {
+// Some points of a field in a step.
+struct Block {
+  const Plan& plan;
+  std::span<const Obstacle> obstacles;
+  double h, lag;
+  const char* left_out;  // per point; null: none is
+  const double *x0, *v0;
+  double *x, *v;
+};
+
+// The points from i on that are `alone` on the obstacle. Returns those that were solved.
+HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const Path& path, Lane radius, LaneMask alone, std::size_t i,
+                             std::size_t count, RestingPoints& points, std::size_t at) {
   const PointLanes d;
-  const LaneMask touching = hn::AndNot(stay_clear(collider.shape, step), near), alone = hn::AndNot(several, touching);
-  open = hn::Or(open, touching);
-  if (hn::AllFalse(d, alone)) return;
-  const auto solve = [&](const auto& shape) HWY_ATTR {
-    set_acceleration(step);
-    const Corrected corrected = slide(shape, collider.friction, step);
-    const LaneMask here = hn::And(alone, corrected.is_solved);
-    store_point(plan, corrected.x, here, x, i);
-    store_point(plan, corrected.v, here, v, i);
-    work = hn::IfThenElse(here, hn::Mul(hn::LoadU(d, plan.mass.data() + i), work_per_mass(step, corrected)), work);
-    solved = hn::Or(solved, here);
+  const Collider& collider = *obstacle.collider;
+  const double h = block.h, lag = collider.friction > 0.0 ? block.lag : 0.0;
+  // the velocity of what moves is known up to the rounding of the time
+  const double unknown = 1e-9 * (glm::length(obstacle.velocity) + h * glm::length(obstacle.acceleration));
+  const Path relative = relative_to(obstacle, h, path);
+  Corrected end;
+  if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) end = slide(*sphere, collider.friction, lag, h, unknown, radius, relative);
+  if (const auto* plane = std::get_if<Plane>(&collider.shape)) end = slide(*plane, collider.friction, lag, h, unknown, radius, relative);
+  LaneMask solved = hn::And(alone, end.is_solved);
+  LaneVec3 x = end.x, v = minus(end.v, end.extra), start = end.start, with_extra = end.v;
+  if (!is_in_place(obstacle)) {
+    x = plus(x, same(obstacle.offset_at(h)));
+    v = plus(v, same(obstacle.velocity_at(h)));
+    start = plus(start, same(obstacle.velocity + obstacle.velocity_correction));
+    with_extra = plus(with_extra, same(obstacle.velocity_at(h) + obstacle.velocity_correction));
+  }
+
+  // not into another obstacle
+  for (const Obstacle& other : block.obstacles) {
+    if (&other == &obstacle) continue;
+    const Path corrected{path.x0, path.v0, x, v};
+    solved = hn::And(solved, stay_clear(*other.collider, h, radius, relative_to(other, h, corrected)));
+  }
+  if (hn::AllFalse(d, solved)) return solved;
+  const LaneVec3 change = minus(path.v1, path.v0);
+  const Lane mass = load(block.plan.mass.data() + i, count);
+  const Lane kinetic = same(0.5) * (dot(with_extra, with_extra) - dot(start, start));
+  const Lane work = mass * (kinetic - dot(change, minus(x, path.x0)) / same(h));
+  store(work, solved, count, points.work + at);
+  if (points.supplied != nullptr) {
+    const double speed = std::max(glm::length(obstacle.velocity), glm::length(obstacle.velocity_at(h))) +
+                         glm::length(obstacle.velocity_correction);
+    store(same(speed) * mass * (length(minus(v, path.v1)) + length(change)), solved, count, points.supplied + at);
+  }
+  store_point(block.plan, x, solved, count, block.x, i);
+  store_point(block.plan, v, solved, count, block.v, i);
+  return solved;
+}
+
+// The points from i on, one per lane.
+HWY_INLINE void solve_points(const Block& block, std::size_t i, std::size_t count, RestingPoints& points, std::size_t at) {
+  const PointLanes d;
+  const Path path{load_point(block.plan, block.x0, i, count), load_point(block.plan, block.v0, i, count),
+                  load_point(block.plan, block.x, i, count), load_point(block.plan, block.v, i, count)};
+  const Lane radius = load(block.plan.radius.data() + i, count);
+  Lane inverse_mass = load(block.plan.inverse_mass.data() + i, count);
+  if (block.left_out != nullptr) {
+    HWY_ALIGN double is_in[8] = {};
+    for (std::size_t lane = 0; lane < count; ++lane) is_in[lane] = block.left_out[i + lane] == 0 ? 1.0 : 0.0;
+    inverse_mass = inverse_mass * hn::Load(d, is_in);
+  }
+  const LaneMask may_move = hn::Ne(inverse_mass, same(0.0));
+  LaneMask open = hn::FirstN(d, 0), several = open, solved = open;
+  const auto touching = [&](const Obstacle& obstacle) HWY_ATTR {
+    return hn::AndNot(stay_clear(*obstacle.collider, block.h, radius, relative_to(obstacle, block.h, path)), may_move);
   };
-  if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) solve(*sphere);
-  if (const auto* plane = std::get_if<Plane>(&collider.shape)) solve(*plane);
+  for (const Obstacle& obstacle : block.obstacles) {
+    const LaneMask touches = touching(obstacle);
+    several = hn::Or(several, hn::And(open, touches));
+    open = hn::Or(open, touches);
+  }
+  const unsigned open_bits = bits_of(open);
+  for (std::size_t lane = 0; lane < count; ++lane) points.outcome[at + lane] = RestingPoints::Free, points.work[at + lane] = 0.0;
+  if (open_bits == 0) return;
+  for (const Obstacle& obstacle : block.obstacles) {
+    const ColliderPath& own = obstacle.collider->path;
+    if (own.spin != Vec3(0.0) || own.belt != Vec3(0.0) || std::holds_alternative<Box>(obstacle.collider->shape)) continue;
+    const LaneMask alone = hn::AndNot(several, touching(obstacle));
+    if (!hn::AllFalse(d, alone)) solved = hn::Or(solved, solve_on(block, obstacle, path, radius, alone, i, count, points, at));
+  }
+  const unsigned solved_bits = bits_of(solved);
+  points.any_solved = points.any_solved || solved_bits != 0;
+  points.any_open = points.any_open || (open_bits & ~solved_bits) != 0;
+  for (std::size_t lane = 0; lane < count; ++lane)
+    if ((open_bits >> lane & 1U) != 0)
+      points.outcome[at + lane] = (solved_bits >> lane & 1U) != 0 ? RestingPoints::Solved : RestingPoints::Open;
 }
 
-void solve_resting(const Plan& plan, double h, std::size_t first, std::size_t end, const double* x0, const double* v0, double* x, double* v,
-                   RestingPoints& points) {
-  const PointLanes d;
-  const std::size_t lanes = hn::Lanes(d);
+void solve_resting(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out, std::size_t first, std::size_t end,
+                   const double* x0, const double* v0, double* x, double* v, RestingPoints& points) {
+  const std::size_t lanes = hn::Lanes(PointLanes());
+  const Block block{plan, obstacles, h, lag, left_out, x0, v0, x, v};
   points.any_solved = points.any_open = false;
-  std::size_t i = first;
-  for (; i + lanes <= end; i += lanes) {
-    Step step;  // without its acceleration, which few points need
-    step.h = h;
-    step.radius = hn::LoadU(d, plan.radius.data() + i);
-    step.x0 = load_point(plan, x0, i), step.v0 = load_point(plan, v0, i);
-    step.x1 = load_point(plan, x, i), step.v1 = load_point(plan, v, i);
-
-    // A path under any contact with one collider is shorter than 1.5 h (|v0| + |correction|) + h^2 |a|, with
-    // h |correction| <= |x1 - x0| + h (|v0| + |v1|) / 2 and h |a| <= |v0| + |v1|: by far than this.
-    const Lane one = same(1.0);
-    const Lane speeds = hn::Sub(hn::Add(magnitude(step.v0), magnitude(step.v1)), same(2.0));
-    const Lane path = hn::Add(hn::Sub(magnitude(difference(step.x1, step.x0)), one), hn::Mul(same(h), speeds));
-    const Lane reach = hn::Add(step.radius, hn::Mul(same(4.0), path));
-    LaneMask any = same_if(false), several = any, open = any, solved = any;
-    for (const Collider& collider : plan.colliders) {
-      const LaneMask near = may_reach(collider.shape, reach, step.x0);
-      several = hn::Or(several, hn::And(any, near));
-      any = hn::Or(any, near);
-    }
-    any = hn::And(any, hn::Ne(hn::LoadU(d, plan.inverse_mass.data() + i), same(0.0)));
-    RestingPoints::Outcome* const outcome = points.outcome + (i - first);
-    for (std::size_t lane = 0; lane < lanes; ++lane) outcome[lane] = RestingPoints::Free;
-    Lane work = same(0.0);
-    if (!hn::AllFalse(d, any)) {
-      for (const Collider& collider : plan.colliders)
-        solve_on(plan, collider, step, hn::And(any, may_reach(collider.shape, reach, step.x0)), several, i, x, v, work, open, solved);
-      if (!hn::AllFalse(d, open)) set_outcomes(bits_of(open), bits_of(solved), points, outcome);
-    }
-    hn::StoreU(work, d, points.work + (i - first));
-  }
-  for (; i < end; ++i) {
-    points.outcome[i - first] = RestingPoints::Open;
-    points.work[i - first] = 0.0;
-    points.any_open = true;
-  }
+  for (std::size_t i = first; i < end; i += lanes) solve_points(block, i, std::min(lanes, end - i), points, i - first);
 }
 
 }  // namespace hooke::HWY_NAMESPACE
@@ -369,10 +312,10 @@ namespace hooke {
 
 HWY_EXPORT(solve_resting);
 
-void solve_resting_points(const Plan& plan, double h, std::size_t first, std::size_t end, const Field& x0, const Field& v0, Field& x,
-                          Field& v, RestingPoints& points) {
+void solve_resting_points(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out, std::size_t first, std::size_t end,
+                          const Field& x0, const Field& v0, Field& x, Field& v, RestingPoints& points) {
   HWY_DYNAMIC_DISPATCH(solve_resting)
-  (plan, h, first, end, x0.data(), v0.data(), x.data(), v.data(), points);
+  (plan, obstacles, h, lag, left_out, first, end, x0.data(), v0.data(), x.data(), v.data(), points);
 }
 
 }  // namespace hooke

@@ -1,32 +1,35 @@
-// Points that rest on a ball or plane, or slide along it, by vectors: what most points that touch a collider do.
+// Points that touch nothing in a substep, and those that rest or slide on one plane or ball for all of it, by vectors.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <span>
 
-#include "sim/plan/plan.h"
+#include "sim/contact/obstacle.h"
 
 namespace hooke {
 
-// What became of the points first .. end - 1 in a step, at most `max` of them.
+// What became of points in a substep: of consecutive ones, at most `max` of them.
 struct RestingPoints {
   static constexpr std::size_t max = 512;
   enum Outcome : std::uint8_t {
     Free,    // it certainly touches nothing
     Solved,  // its path was corrected
-    Open,    // neither is known: left to the PointContactSolver
+    Open,    // left to TouchSimulation
   };
-  // Of each point from `first` on: the outcome, and the work [J] of the contact in addition to the work of the forces, 0 unless it was
-  // solved.
   Outcome* outcome = nullptr;
-  double* work = nullptr;
+  double* work = nullptr;      // [J], of contact in addition to that of the forces; 0 unless it was solved
+  double* supplied = nullptr;  // [J], a bound on the part of it that the obstacle has supplied, if any moves
   bool any_solved = false, any_open = false;
 };
 
-// Corrects the step of h that led from (x0, v0) to (x, v), of those of the points that lie on the surface of one ball or plane at the
-// start, stay on it for the whole step, under any friction, and are certainly out of reach of all other colliders. To the bits of the
-// PointContactSolver. For colliders that do not move.
-void solve_resting_points(const Plan& plan, double h, std::size_t first, std::size_t end, const Field& x0, const Field& v0, Field& x,
-                          Field& v, RestingPoints& points);
+// Corrects the step of h from (x0, v0) to (x, v) of those of the points `first` .. `end` - 1 that lie on one obstacle at the start, press
+// on it during all of the step, and stay clear of all others. They start with v0 (without friction with u, the velocity of the method's
+// path), are supported by N = -(n . a + v^2 / R), and end with
+//   v' = v + h (d - mu N v' / |v'|),    x' = x + h (v + v') / 2 + lag h (v' - v),
+// where d is the acceleration along the surface; what friction stops within the step rests from then on. On a ball, the end is moved along
+// the normal onto the surface, and friction takes the mean of N at both ends (RATTLE, H. C. Andersen 1983). `lag` [1]: of methods that keep
+// their path under friction (ContactWorkspace::friction_lag). `left_out`: per point, those that are left alone; null: there are none.
+void solve_resting_points(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out,
+                          std::size_t first, std::size_t end, const Field& x0, const Field& v0, Field& x, Field& v, RestingPoints& points);
 
 }  // namespace hooke

@@ -21,6 +21,9 @@ struct PointPath {
   Vec3 velocity_correction{0.0};  // [m/s], of the method's path, contained in v (contact.cpp)
   Vec3 free_acceleration{0.0};    // [m/s^2], without contact
   double velocity_change = 0.0;   // [m/s], of the whole substep without contact
+  // [m/s^2], by which a sticky plane holds it after an impact without a rebound (forces/terms/sticking.h); 0: it does not
+  double adhesion = 0.0;
+  Vec3 held{0.0};  // [m/s^2], that it balances
   // [m], [m/s], at the start of the substep, v with the correction that supports leave of it: what they balance is no motion that they stop
   Vec3 start_x{0.0}, start_v{0.0};
   bool is_changed = false;  // by contact

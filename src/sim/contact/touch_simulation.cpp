@@ -7,14 +7,14 @@
 #include <numeric>
 
 #include "sim/contact/constants.h"
-#include "sim/contact/supports.h"
 
 namespace hooke {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-// A touch may be at rest if its gap is below this multiple of the distance that the velocity change in the substep covers.
-constexpr double rest_reach = 3.0;
+// A touch may be at rest if its gap is below this multiple of the distance that the velocity change in the substep covers: that which it
+// covers at the largest speed of approach.
+constexpr double rest_reach = contact::rest_speed + 1.0;
 
 // The radius by which the shape is inflated.
 double inflation(const Touch& touch) { return touch.obstacle != nullptr ? touch.distance : 0.0; }
@@ -44,14 +44,23 @@ double TouchSimulation::velocity_change(const Touch& touch) const {
 
 // Speeds of approach below this count as zero [m/s].
 double TouchSimulation::quiet_speed(const Touch& touch) const {
-  return 1e-3 * velocity_change(touch) + 1e-12 * (glm::length(paths[touch.first].v) + glm::length(paths[touch.second].v));
+  // the velocity of an obstacle that moves is known up to the rounding of the time
+  constexpr double rounding = 1e-12, rounding_of_time = 1e-9;
+  const double first = glm::length(paths[touch.first].v), second = glm::length(paths[touch.second].v);
+  if (is_alone_) return rounding * (velocity_change(touch) + first) + rounding_of_time * (second + paths[touch.second].velocity_change);
+  return contact::quiet_part * velocity_change(touch) + rounding * (first + second);
 }
 
 // The speed of approach below which there is no restitution [m/s]: all bounces from the rebound e v on take 2 e v / (a (1 - e)).
-double TouchSimulation::rest_speed(const Touch& touch) const {
+double TouchSimulation::rest_speed(const Touch& touch, const Gap& gap, const Parabola& path) const {
   const double e = touch.restitution;
   if (e == 0.0 || impacts_ > max_impacts()) return never;
-  return std::max(quiet_speed(touch), 0.5 * velocity_change(touch) * (1.0 - e) / e);
+  double change = velocity_change(touch);
+  if (is_alone_) {
+    const Vec3 along = tangential(gap.normal, path.v), a = paths[touch.first].free_acceleration - paths[touch.second].a;
+    change = (h_ - time_) * std::max(0.0, -glm::dot(gap.normal, a) - gap.curvature * glm::dot(along, along));
+  }
+  return std::max(quiet_speed(touch), 0.5 * change * (1.0 - e) / e);
 }
 
 // The speed of approach at which there is no impact [m/s]. What is near at the start of the substep, and is pushed by an impact during it,
@@ -60,16 +69,74 @@ double TouchSimulation::ignored_speed(const Touch& touch) const {
   return std::max(quiet_speed(touch), touch.waits ? velocity_change(touch) : 0.0);
 }
 
-void TouchSimulation::begin(double h, const Vec3& gravity) {
-  h_ = h;
-  gravity_ = gravity;
-  time_ = 0.0;
+void TouchSimulation::add_point(const Plan& plan, Index i, const Vec3& x0, const Vec3& v0, const Vec3& x1, const Vec3& v1, double h) {
+  PointPath& path = paths.emplace_back(PointPath{.point = i, .inverse_mass = plan.inverse_mass[i], .x = x0, .v = v0});
+  if (path.inverse_mass == 0.0) return;
+  const Vec3 change = v1 - v0;
+  path.a = path.free_acceleration = change / h;
+  path.velocity_correction = without_rounding(plan, (x1 - x0) / h - v0 - 0.5 * change, x0, h);
+  path.v += path.velocity_correction;
+  path.velocity_change = glm::length(change);
+  path.adhesion = plan.force_data.sticky.strength * path.inverse_mass;
+  path.start_x = x0;
+  path.start_v = path.v;
+}
+
+void TouchSimulation::add_obstacles(std::span<const Obstacle> obstacles, double h) {
+  first_obstacle_ = paths.size();
+  for (const Obstacle& obstacle : obstacles)
+    paths.push_back({.x = obstacle.offset,
+                     .v = obstacle.velocity + obstacle.velocity_correction,
+                     .a = obstacle.acceleration,
+                     .velocity_correction = obstacle.velocity_correction,
+                     .velocity_change = h * glm::length(obstacle.acceleration)});
+}
+
+void TouchSimulation::add_touch(std::size_t path, std::span<const Obstacle> obstacles, std::size_t obstacle, double radius) {
+  touches.push_back({.first = path,
+                     .second = first_obstacle_ + obstacle,
+                     .obstacle = &obstacles[obstacle],
+                     .point = paths[path].point,
+                     .other = -2 - static_cast<Index>(obstacle),
+                     .distance = radius,
+                     .restitution = obstacles[obstacle].collider->restitution,
+                     .friction = obstacles[obstacle].collider->friction});
+}
+
+void TouchSimulation::begin(const SurfacePlan& plan, double h) {
+  soft_ = soft_constraint(plan, h);
+  is_alone_ = first_obstacle_ == 1;
+  start_ = 0.0;
   first_impact_ = never;
-  impacts_ = tests_ = impulses_ = 0;
+  tests_ = impulses_ = 0;
   any_touched_ = false;
+  start(h);
+}
+
+void TouchSimulation::run_alone(const SurfacePlan& plan, double h) {
+  begin(plan, h);
+  for (long impacts = 0; advance(); ++impacts) {
+    if (impacts >= contact::max_impacts) continue;
+    const double left = h_ - time_;
+    start_ += time_;
+    for (PointPath& path : paths) {
+      path.advance(time_);
+      path.time = 0.0;
+    }
+    paths.front().a = paths.front().free_acceleration - paths.front().held;
+    for (Touch& touch : touches) touch.is_at_rest = false;
+    start(left);
+  }
+}
+
+void TouchSimulation::start(double h) {
+  h_ = h;
+  time_ = 0.0;
+  impacts_ = 0;
   changed_.clear();
   is_listed_.assign(paths.size(), 0);
   memory_.now.clear();
+  separation_.clear();
   find_resting();
   if (!active_.empty()) rest();
   for (Touch& touch : touches) predict(touch);
@@ -94,26 +161,58 @@ void TouchSimulation::find_resting() {
     path.v -= paths[touch.first].velocity_correction - paths[touch.second].velocity_correction;
     const Gap gap = gap_to(shape_of(touch), inflation(touch), path.x);
     const double change = velocity_change(touch);
-    touch.is_near = gap.distance <= contact_tolerance(path.x) + rest_reach * h_ * change;
+    touch.is_near = gap.distance <= contact_tolerance(path.x) + (is_alone_ ? 0.0 : rest_reach * h_ * change);
     if (!touch.is_near) continue;
-    const double velocity = glm::dot(gap.normal, path.v);
-    if (velocity < -std::max(quiet_speed(touch), contact::rest_speed * change)) continue;
+    const double velocity = glm::dot(gap.normal, path.v), quiet = quiet_speed(touch);
+    if (is_alone_ ? std::abs(velocity) > quiet : velocity < -std::max(quiet, contact::rest_speed * change)) continue;
     touch.normal = gap.normal;
-    touch.gap = gap.distance;
+    touch.gap = is_alone_ ? 0.0 : gap.distance;
     touch.curvature = gap.curvature;
     touch.is_at_rest = true;
     active_.push_back(t);
   }
 }
 
-// Settles velocity_, of the motion or of the corrections.
-void TouchSimulation::settle_velocities(bool is_correction, double tolerance) {
+// Settles velocity_, of the motion at a time or of the corrections. What then rests on an obstacle does so without rounding.
+void TouchSimulation::settle_velocities(Settled what, double tolerance) {
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
     const Vec3 position = paths[touch.first].x - paths[touch.second].x;
-    touch.surface = is_correction ? Vec3(0.0) : relative_surface_velocity(touch, touch.normal, position);
+    const Vec3 moved = h_ * (paths[touch.first].v - paths[touch.second].v);
+    touch.surface = what == Settled::Corrections
+                        ? Vec3(0.0)
+                        : relative_surface_velocity(touch, touch.normal, what == Settled::Ends ? position + moved : position);
   }
   settle(touches, active_, tolerance, velocity_);
+  constexpr double rounding = 1e-12;
+  for (const std::size_t k : active_) {
+    const Touch& touch = touches[k];
+    if (touch.obstacle == nullptr) continue;
+    const Vec3 rest = velocity_[touch.second] + touch.surface, slip = velocity_[touch.first] - rest;
+    if (slip == Vec3(0.0) || glm::length(slip) > rounding * (velocity_change(touch) + glm::length(rest))) continue;
+    velocity_[touch.first] = rest;
+    change(touch.first);
+  }
+  change_pushed();
+}
+
+// Displacements without a velocity, as far as what touches does not exert the force of the spring already.
+void TouchSimulation::separate(double tolerance) {
+  separation_.clear();
+  bool any = false;
+  for (const std::size_t k : active_) {
+    Touch& touch = touches[k];
+    const double depth = touch.obstacle != nullptr ? 0.0 : std::max(0.0, -touch.gap);
+    const double weight = paths[touch.first].inverse_mass + paths[touch.second].inverse_mass;
+    const double spare = h_ * soft_.stiffness * depth - weight * touch.impulse.normal;
+    touch.min_velocity = h_ * std::max(0.0, std::min(soft_.rate * depth, spare));
+    touch.impulse = {};
+    touch.surface = Vec3(0.0);
+    any = any || touch.min_velocity > h_ * tolerance;
+  }
+  if (!any) return;
+  separation_.assign(paths.size(), Vec3(0.0));
+  settle(touches, active_, h_ * tolerance, separation_);
   change_pushed();
 }
 
@@ -137,6 +236,20 @@ void TouchSimulation::change_pushed() {
   }
 }
 
+// Corrections of what presses on an obstacle come from forces that are balanced, whatever their direction; so do those along the surface
+// under friction.
+void TouchSimulation::leave_corrections() {
+  for (const std::size_t k : active_) {
+    const Touch& touch = touches[k];
+    const PointPath &path = paths[touch.first], &obstacle = paths[touch.second];
+    const Vec3 v = path.v - path.velocity_correction - obstacle.v + obstacle.velocity_correction;
+    if (!(glm::dot(touch.normal, path.a - obstacle.a) + touch.curvature * glm::dot(v, v) < 0.0)) continue;
+    const Vec3 correction = velocity_[touch.first] - velocity_[touch.second];
+    velocity_[touch.first] -= touch.friction > 0.0 ? correction : glm::dot(touch.normal, correction) * touch.normal;
+    change(touch.first);
+  }
+}
+
 // First velocities change at once, so that nothing is closed before the end of the substep. Then forces act during it, so that nothing
 // overlaps at its end. The correction of the method's path must not lead into what touches either: it comes from forces that are balanced.
 void TouchSimulation::rest() {
@@ -148,17 +261,18 @@ void TouchSimulation::rest() {
   };
   double scale = 0.0;
   for (const std::size_t k : active_) scale = std::max({scale, velocity_change(touches[k]), quiet_speed(touches[k])});
-  // what remains of velocities is removed by the forces, and what remains of those moves the points
-  const double rough = 1e-3 * scale, fine = 1e-5 * scale;
+  // what remains of velocities is removed by the forces, and what remains of those moves the points; a point alone is solved exactly
+  const double rough = (is_alone_ ? 1e-14 : contact::quiet_part) * scale, fine = (is_alone_ ? 1e-14 : 1e-2 * contact::quiet_part) * scale;
 
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].v - paths[p].velocity_correction;
   for (const std::size_t k : active_) reset(k, -std::max(0.0, touches[k].gap) / h_);
-  settle_velocities(false, rough);
+  settle_velocities(Settled::Starts, rough);
   for (const std::size_t p : changed_) paths[p].v = velocity_[p] + paths[p].velocity_correction;
 
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].velocity_correction;
   for (const std::size_t k : active_) reset(k, 0.0);
-  settle_velocities(true, rough);
+  if (is_alone_) leave_corrections();
+  settle_velocities(Settled::Corrections, rough);
   for (const std::size_t p : changed_) {
     const Vec3 change = velocity_[p] - paths[p].velocity_correction;
     paths[p].v += change;
@@ -177,17 +291,17 @@ void TouchSimulation::rest() {
   }
   recall_loads();
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].v - paths[p].velocity_correction + h_ * paths[p].a;
-  settle_velocities(false, fine);
+  settle_velocities(Settled::Ends, fine);
   for (const std::size_t p : changed_) paths[p].a = (velocity_[p] - (paths[p].v - paths[p].velocity_correction)) / h_;
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
     if (touch.impulse.normal > 0.0) memory_.now.push_back({{touch.point, touch.other}, touch.impulse});
   }
-  find_separation(rough);
+  separate(rough);
 }
 
 void TouchSimulation::change(std::size_t path) {
-  if (!any_touched_) first_touch_ = time_;
+  if (!any_touched_) first_touch_ = start_ + time_;
   any_touched_ = true;
   if (paths[path].inverse_mass == 0.0 || is_listed_[path] != 0) return;
   paths[path].is_changed = true;
@@ -228,10 +342,7 @@ bool TouchSimulation::advance() {
   }
   if (queue_.empty() || impacts_ > 2 * max_impacts()) {
     for (PointPath& path : paths) path.advance(h_);
-    if (!active_.empty() && separation_.any) {
-      limit_separation();
-      for (std::size_t p = 0; p < paths.size(); ++p) paths[p].x += separation_.displacement[p];
-    }
+    for (std::size_t p = 0; p < separation_.size(); ++p) paths[p].x += separation_[p];
     time_ = h_;
     // impacts that are left out, of which there are too many
     for (const auto& left_out : queue_) paths[touches[left_out.touch].first].is_changed = true;
@@ -283,14 +394,19 @@ void TouchSimulation::list_touches_of_paths() {
   visit([&](std::size_t p, std::size_t t) { of_paths_.touches[end[p]++] = t; });
 }
 
-// Removes what rounding, and forces that are not quite those of rest, leave.
 void TouchSimulation::leave_obstacles() {
-  for (const Touch& touch : touches) {
-    PointPath& path = paths[touch.first];
-    if (touch.obstacle == nullptr || !path.is_changed) continue;
-    const Vec3 position = path.x - paths[touch.second].x;
-    const Gap gap = gap_to(shape_of(touch), inflation(touch), position);
-    if (gap.distance < -contact_tolerance(position)) path.x -= gap.distance * gap.normal;
+  constexpr int max_rounds = 8;
+  bool is_outside = false;
+  for (int round = 0; round < max_rounds && !is_outside; ++round) {
+    is_outside = true;
+    for (const Touch& touch : touches) {
+      if (touch.obstacle == nullptr) continue;
+      const Vec3 position = paths[touch.first].x - paths[touch.second].x;
+      const Gap gap = gap_to(shape_of(touch), inflation(touch), position);
+      if (gap.distance >= -contact_tolerance(position)) continue;
+      paths[touch.first].x -= gap.distance * gap.normal;
+      is_outside = false;
+    }
   }
 }
 

@@ -6,15 +6,16 @@
 #include <span>
 #include <vector>
 
-#include "base/disjoint_sets.h"
 #include "sim/contact/touch.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
 
 // What touches without approaching at the start of the substep exerts constant forces during it (`settle`). Impacts follow at their times
 // on the parabolas: restitution along the normal, and the Coulomb impulse. An impact so slow that all its further bounces would fall within
 // the substep has no restitution; what is pushed into others slowly waits for the next substep. Where impacts follow one another without
-// end, they lose their restitution first, and then wait for the next substep, too.
+// end, they lose their restitution first, and then wait for the next substep, too. Overlaps are removed as those of surfaces, but without a
+// velocity.
 class TouchSimulation {
  public:
   void clear() {
@@ -24,11 +25,22 @@ class TouchSimulation {
   // In ascending order, of points and of pairs: filled before `begin`.
   std::vector<PointPath> paths;
   std::vector<Touch> touches;
+  // The path of a point through a step of h [s] from (x0, v0) to (x1, v1), with its mean acceleration.
+  void add_point(const Plan& plan, Index i, const Vec3& x0, const Vec3& v0, const Vec3& x1, const Vec3& v1, double h);
+  // Those of obstacles, after all points; and what a path and one of them may touch.
+  void add_obstacles(std::span<const Obstacle> obstacles, double h);
+  void add_touch(std::size_t path, std::span<const Obstacle> obstacles, std::size_t obstacle, double radius);
+
+  // Moves points out of obstacles, each along the normal.
+  void leave_obstacles();
 
   // Forgets the forces of the last substep, from which those of the next are found.
   void begin_frame() { memory_.last.clear(); }
-  // Starts a substep of h [s] under `gravity` [m/s^2].
-  void begin(double h, const Vec3& gravity);
+  // Starts a substep of h [s], in which overlaps are removed as `plan` says.
+  void begin(const SurfacePlan& plan, double h);
+  // The whole substep of one point among obstacles. What touches is at rest if it neither approaches nor leaves, and after each impact the
+  // rest of the substep counts as one of its own: exact for all impacts, and for rest after them.
+  void run_alone(const SurfacePlan& plan, double h);
   // Handles the next impact. False: there is none in this substep, and all points are at its end.
   bool advance();
   // The paths that begin, or the last advance, changed.
@@ -49,16 +61,18 @@ class TouchSimulation {
     ContactImpulse impulse;
   };
 
+  void start(double h);
   void find_resting();
   void rest();
   void settle(std::span<Touch> some, std::span<const std::size_t> active, double tolerance, std::span<Vec3> v);
-  void settle_velocities(bool is_correction, double tolerance);
+  enum class Settled { Starts, Corrections, Ends };
+  void settle_velocities(Settled what, double tolerance);
+  void leave_corrections();
   void recall_loads();
-  void find_separation(double tolerance);
-  void limit_separation();
-  void leave_obstacles();
+  void separate(double tolerance);
   void predict(Touch& touch) const;
   void respond();
+  void adhere(const Touch& touch);
   void remove_correction(const Touch& touch, const Vec3& normal);
   void find_impacts_with(std::size_t touch);
   void queue_impacts();
@@ -73,12 +87,15 @@ class TouchSimulation {
   Vec3 relative_surface_velocity(const Touch& touch, const Vec3& normal, const Vec3& relative_position) const;
   double velocity_change(const Touch& touch) const;
   double quiet_speed(const Touch& touch) const;
-  double rest_speed(const Touch& touch) const;
+  double rest_speed(const Touch& touch, const Gap& gap, const Parabola& path) const;
   double ignored_speed(const Touch& touch) const;
-  long max_impacts() const { return 64 + 32 * static_cast<long>(paths.size()); }
+  long max_impacts() const { return contact::max_impacts * static_cast<long>(paths.size()); }
 
   double h_ = 0.0, time_ = 0.0, first_touch_ = 0.0, first_impact_ = 0.0;
-  Vec3 gravity_{0.0};  // [m/s^2]
+  double start_ = 0.0;     // [s], of what counts as the substep, since that of the substep
+  bool is_alone_ = false;  // there is one point
+  SoftConstraint soft_;
+  std::size_t first_obstacle_ = 0;  // path
   long impacts_ = 0;
   mutable long tests_ = 0;
   long impulses_ = 0;
@@ -110,14 +127,7 @@ class TouchSimulation {
   std::vector<std::size_t> changed_;
   std::vector<char> is_listed_;  // per path: in changed_
   std::vector<Vec3> velocity_;   // per path, while they settle
-  // What overlaps.
-  struct Separation {
-    std::vector<Vec3> displacement;       // [m], per path
-    bool any = false;                     // whether any of them is not zero
-    DisjointSets groups;                  // paths that rest on each other
-    std::vector<double> removed, needed;  // [J], per group, at its first path: energy that contact removes, and that this needs
-  };
-  Separation separation_;
+  std::vector<Vec3> separation_;  // [m], per path, of what overlaps; empty: nothing does
   mutable Collider ball_{.shape = Sphere{}};  // the second point of a pair
 };
 

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "sim/contact/constants.h"
 #include "sim/contact/touch_simulation.h"
 
 namespace hooke {
@@ -35,12 +36,11 @@ double relax(Touch& touch, std::span<const PointPath> paths, std::span<Vec3> v) 
 // opposite, so that momentum is conserved, and so is angular momentum without friction. Starts from the impulses in `some`, and leaves the
 // result there. Projected Gauss-Seidel, forward and backward in turn, until no relative velocity changes by more than `tolerance` [m/s].
 void TouchSimulation::settle(std::span<Touch> some, std::span<const std::size_t> active, double tolerance, std::span<Vec3> v) {
-  constexpr int max_sweeps = 200;
   for (const std::size_t t : active) {
     const Touch& touch = some[t];
     if (touch.impulse.normal > 0.0) apply(touch, touch.impulse.normal * touch.normal + touch.impulse.friction, paths, v);
   }
-  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+  for (int sweep = 0; sweep < contact::max_sweeps; ++sweep) {
     double change = 0.0;
     impulses_ += static_cast<long>(active.size());
     for (std::size_t k = 0; k < active.size(); ++k)
@@ -67,9 +67,9 @@ void TouchSimulation::find_impacts_with(std::size_t touch) {
     }
     together_.touches.push_back(next);
     together_.touches.back().normal = gap.normal;
-    if (approach <= rest_speed(next)) together_.touches.back().restitution = 0.0;
+    if (approach <= rest_speed(next, gap, path)) together_.touches.back().restitution = 0.0;
     // what does not rebound leaves so slowly that the accelerations bring it back at the end of the substep
-    const double hop = std::clamp(-0.5 * (h_ - time_) * glm::dot(gap.normal, path.a), 0.0, std::max(0.0, approach));
+    const double hop = is_alone_ ? 0.0 : std::clamp(-0.5 * (h_ - time_) * glm::dot(gap.normal, path.a), 0.0, std::max(0.0, approach));
     together_.touches.back().min_velocity = std::max(together_.touches.back().restitution * approach, hop);
     together_.touches.back().impulse = {};
     together_.touches.back().surface = relative_surface_velocity(next, gap.normal, path.x);
@@ -99,16 +99,27 @@ void TouchSimulation::respond() {
   std::iota(together_.all.begin(), together_.all.end(), 0);
   constexpr double round_off = 1e-15;
   settle(together_.touches, together_.all, round_off * fastest, velocity_);
-  first_impact_ = std::min(first_impact_, time_);
+  first_impact_ = std::min(first_impact_, start_ + time_);
   for (std::size_t k = 0; k < together_.touches.size(); ++k) {
     const Touch& touch = together_.touches[k];
     touches[together_.of[k]].time = std::numeric_limits<double>::infinity();
     if (touch.restitution == 0.0) remove_correction(touch, touch.normal);
+    if (touch.restitution == 0.0) adhere(touch);
     for (const std::size_t p : {touch.first, touch.second}) {
       if (paths[p].inverse_mass != 0.0) paths[p].v = velocity_[p];
       change(p);
     }
   }
+}
+
+// A sticky plane balances what pulls a point off it, up to its strength, for the rest of the substep.
+void TouchSimulation::adhere(const Touch& touch) {
+  PointPath& path = paths[touch.first];
+  if (touch.obstacle == nullptr || !std::holds_alternative<Plane>(touch.obstacle->collider->shape)) return;
+  const double pull = glm::dot(touch.normal, path.free_acceleration - paths[touch.second].a);
+  if (!(pull > 0.0 && pull <= path.adhesion)) return;
+  path.held = pull * touch.normal;
+  path.a -= path.held;
 }
 
 // Without a rebound, the corrections of the method's path must not separate them either.

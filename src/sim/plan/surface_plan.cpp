@@ -230,11 +230,11 @@ bool SurfacePlan::excludes_edge(Index edge, Index other) const {
 
 SurfacePlan plan_surface(const System& system) {
   SurfacePlan plan;
+  plan.frequency = system.contact.frequency;
+  plan.damping_ratio = system.contact.damping_ratio;
   if (!system.contact.faces && !system.contact.springs) return plan;
   plan.friction = system.contact.friction;
   plan.restitution = system.contact.restitution;
-  plan.frequency = system.contact.frequency;
-  plan.damping_ratio = system.contact.damping_ratio;
   SurfacePlanner(system, plan).plan();
   return plan;
 }

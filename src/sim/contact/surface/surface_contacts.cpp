@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 #include <ranges>
 #include <tuple>
 
@@ -39,10 +38,8 @@ inline void solve(SurfaceContact& contact, std::span<const double> inverse_mass,
       inverse_mass, velocity);
 }
 
-Vec3 across(const Vec3& normal, const Vec3& w) { return w - glm::dot(normal, w) * normal; }
-
 ContactImpulse scaled(const ContactImpulse& impulse, double factor, const Vec3& normal) {
-  return {factor * impulse.normal, factor * across(normal, impulse.friction)};
+  return {factor * impulse.normal, factor * tangential(normal, impulse.friction)};
 }
 Vec3 total(const ContactImpulse& impulse, const Vec3& normal) { return impulse.normal * normal + impulse.friction; }
 
@@ -99,10 +96,7 @@ void SurfaceContacts::add_points(const Step& step, Index i, Index j, double dist
                                               .kind = FeaturePair::TwoEdges}));
 }
 
-// Overlaps are removed by the velocity omega / (2 zeta + h omega) times the overlap, which is the bias of a soft constraint with frequency
-// omega and damping ratio zeta (E. Catto, Box2D v3, b2MakeSoft), and by no more than the force of its spring. Unlike there, what approaches
-// is stopped by any force: the constraint is rigid in that direction. The mass of the spring is that of the contact, and never more than
-// what accelerates its points by omega^2 times the overlap.
+// The mass of the spring that removes overlaps is that of the contact, and never more than what accelerates its points as it says.
 //
 // An impulse J on weights w that changes x1 by h J w / m and v1 by J w / m adds the angular momentum sum w (x1 - h v1) x J. So its
 // direction is that of sum w (x1 - h v1), which is the line between the closest points for methods with x1 = x0 + h v1, and nearly that for
@@ -130,10 +124,9 @@ void SurfaceContacts::add(const Step& step, SurfaceContact& contact) {
   if (contact.gap >= 0.0) {
     contact.target = -contact.gap / step.h;
   } else {
-    const double frequency = std::min(step.plan.frequency, contact::max_frequency / step.h);
-    const double omega = 2.0 * std::numbers::pi * frequency, zeta = step.plan.damping_ratio;
-    contact.target = -contact.gap * omega / (2.0 * zeta + step.h * omega);
-    contact.max_push = -contact.gap * step.h * omega * omega / std::max(response, fastest);
+    const SoftConstraint soft = soft_constraint(step.plan, step.h);
+    contact.target = -contact.gap * soft.rate;
+    contact.max_push = -contact.gap * step.h * soft.stiffness / std::max(response, fastest);
   }
   if (!is_held) return;
   double drive = 0.0;  // [m/s]
