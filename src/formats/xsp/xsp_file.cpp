@@ -95,6 +95,17 @@ class Importer {
       return position[system.index_of(spring.first)] == position[system.index_of(spring.second)];
     };
     const auto count = static_cast<std::size_t>(std::count_if(springs.begin(), springs.end(), has_coincident_ends));
+    const auto is_driven = [&](const Spring& spring) {
+      const auto moves = [&](PointId id) {
+        const XspMass& mass = document_.masses[static_cast<std::size_t>(system.index_of(id))];
+        return mass.mass < 0.0 && (mass.vx != 0.0 || mass.vy != 0.0);
+      };
+      return spring.damping > 0.0 && (moves(spring.first) || moves(spring.second));
+    };
+    const auto driven = static_cast<std::size_t>(std::count_if(springs.begin(), springs.end(), is_driven));
+    if (driven > 0)
+      warn(pluralize(driven, "spring is", "springs are") +
+           " damped towards a nail at rest: XSpringies uses the velocity that the file gives it");
     if (count > 0)
       warn(pluralize(count, "spring connects", "springs connect") +
            " masses at the same position: no force between them until they separate");
@@ -158,15 +169,13 @@ class Importer {
     for (const XspMass& mass : document_.masses)
       if (mass.id == document_.center) {
         center_ = Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_meter;
-        center_moves_ = mass.mass >= 0.0;
+        if (mass.mass >= 0.0) loaded_.scene.system.center_point = point_of(mass.id);
         center_is_mass_ = true;
       }
   }
 
   void warn_of_center() {
-    if (center_moves_)
-      warn("the center of forces stays where mass " + std::to_string(document_.center) + " starts, although that mass is free");
-    else if (!center_is_mass_)
+    if (!center_is_mass_)
       warn("the file does not contain the size of the window: the center of forces is at x = " + format_rounded(xsp_window_width / 2.0) +
            ", y = " + format_rounded(xsp_window_height / 2.0) + " pixels");
   }
@@ -261,7 +270,7 @@ class Importer {
   const std::string& file_;
   std::vector<std::pair<int, PointId>> point_of_;  // by the id of the mass
   Vec3 center_{0.0};                               // [m], of the forces
-  bool center_is_mass_ = false, center_moves_ = false;
+  bool center_is_mass_ = false;
   LoadedScene loaded_;
 };
 
