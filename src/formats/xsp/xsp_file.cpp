@@ -68,25 +68,22 @@ class Importer {
       zero += mass.mass == 0.0 ? 1 : 0;
       const bool is_fixed = mass.mass < 0.0;
       const PointId id = system.new_point_id();
-      point_of_.emplace_back(mass.id, id);
+      point_of_[mass.id] = id;
       points.push_back({.id = id, .nailed = is_fixed, .mass = mass_of(mass), .radius = xsp_radius(mass_of(mass), is_fixed)});
       loaded_.scene.state.position.push_back(Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_meter);
       loaded_.scene.state.velocity.push_back(Vec3(mass.vx, mass.vy, 0.0) / xsp_pixels_per_meter);
     }
     system.set_points(std::move(points));
     if (zero > 0) warn(pluralize(zero, "mass", "masses") + " of 0: 1, as in XSpringies");
-    std::sort(point_of_.begin(), point_of_.end());
   }
-
-  PointId point_of(int mass) const { return std::lower_bound(point_of_.begin(), point_of_.end(), std::pair(mass, PointId{}))->second; }
 
   void import_springs() {
     System& system = loaded_.scene.system;
     std::vector<Spring> springs;
     for (const XspSpring& spring : document_.springs)
       springs.push_back({.id = system.new_spring_id(),
-                         .first = point_of(spring.first),
-                         .second = point_of(spring.second),
+                         .first = point_of_.at(spring.first),
+                         .second = point_of_.at(spring.second),
                          .stiffness = spring.stiffness,
                          .damping = spring.damping,
                          .rest_length = spring.rest_length / xsp_pixels_per_meter});
@@ -169,7 +166,7 @@ class Importer {
     for (const XspMass& mass : document_.masses)
       if (mass.id == document_.center) {
         center_ = Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_meter;
-        if (mass.mass >= 0.0) loaded_.scene.system.center_point = point_of(mass.id);
+        if (mass.mass >= 0.0) loaded_.scene.system.center_point = point_of_.at(mass.id);
         center_is_mass_ = true;
       }
   }
@@ -268,8 +265,8 @@ class Importer {
 
   const XspDocument& document_;
   const std::string& file_;
-  std::vector<std::pair<int, PointId>> point_of_;  // by the id of the mass
-  Vec3 center_{0.0};                               // [m], of the forces
+  std::map<int, PointId> point_of_;  // by the id of the mass
+  Vec3 center_{0.0};                 // [m], of the forces
   bool center_is_mass_ = false;
   LoadedScene loaded_;
 };
