@@ -120,8 +120,7 @@ class Exporter {
       max = i == 0 ? scene_.state.position[i] : glm::max(max, scene_.state.position[i]);
     }
     auto center_of_forces = center();
-    // a mass can be named
-    if (center_point_ != no_index || (center_of_forces && nailed_at(*center_of_forces) != no_index)) center_of_forces.reset();
+    if (center_point_ != no_index) center_of_forces.reset();  // that mass can be named
     const auto shift = [&](XspSide low, XspSide high, double width, int c) {
       const double size = width / xsp_pixels_per_meter;
       if (const Wall* wall = wall_at(low)) return -wall->place;
@@ -175,28 +174,12 @@ class Exporter {
       return;
     }
     place = {true, p1, p2};
-    if (id == 3 || document_.center != -1) return;
+    if (id == 3) return;
+    const Vec3 middle = 0.5 / xsp_pixels_per_meter * Vec3(xsp_window_width, xsp_window_height, 0.0);
     if (center_point_ != no_index)
       document_.center = center_point_ + 1;
-    else
-      find_center_mass(force_center);
-  }
-
-  // A nailed mass at the center, if that is not the middle of the window.
-  void find_center_mass(const Vec3& place) {
-    const Vec3 middle = 0.5 / xsp_pixels_per_meter * Vec3(xsp_window_width, xsp_window_height, 0.0);
-    if (glm::distance(place + shift_, middle) < 1e-9) return;
-    const Index mass = nailed_at(place);
-    if (mass == no_index)
+    else if (glm::distance(force_center + shift_, middle) >= 1e-9)
       report_loss("the position of the center of forces: it is the middle of the window");
-    else
-      document_.center = mass + 1;
-  }
-
-  Index nailed_at(const Vec3& place) const {
-    for (Index i = 0; i < system_.point_count(); ++i)
-      if (system_.points()[i].nailed && scene_.state.position[i] == place) return i;
-    return no_index;
   }
 
   void export_walls() {

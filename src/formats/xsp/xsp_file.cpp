@@ -166,13 +166,12 @@ class Importer {
     for (const XspMass& mass : document_.masses)
       if (mass.id == document_.center) {
         center_ = Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_meter;
-        if (mass.mass >= 0.0) loaded_.scene.system.center_point = point_of_.at(mass.id);
-        center_is_mass_ = true;
+        loaded_.scene.system.center_point = point_of_.at(mass.id);
       }
   }
 
   void warn_of_center() {
-    if (!center_is_mass_)
+    if (!loaded_.scene.system.center_point)
       warn("the file does not contain the size of the window: the center of forces is at x = " + format_rounded(xsp_window_width / 2.0) +
            ", y = " + format_rounded(xsp_window_height / 2.0) + " pixels");
   }
@@ -267,7 +266,6 @@ class Importer {
   const std::string& file_;
   std::map<int, PointId> point_of_;  // by the id of the mass
   Vec3 center_{0.0};                 // [m], of the forces
-  bool center_is_mass_ = false;
   LoadedScene loaded_;
 };
 

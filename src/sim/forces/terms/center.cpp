@@ -135,7 +135,10 @@ double power(const Plan& plan, const ForceValues& values, double, const double* 
 // distance, in the core too, and nothing is steeper there.
 Passage passage(const ForceValues& values, const PassingPoint& point) {
   const Law law = law_of(values);
-  if (law.power <= -1.0 || point.system.center_point) return {};
+  if (law.power <= -1.0) return {};
+  // a free center may be anywhere
+  const Index at = point.system.center_point ? point.system.index_of(*point.system.center_point) : no_index;
+  if (at != no_index && !point.system.points()[at].nailed) return {};
   const Vec3 center = center_in(point.system.dimensions, values), offset = point.position - center;
   const double r = glm::length(offset), strength = values[3];
   const double far = 0.5 * glm::dot(point.velocity, point.velocity) + point.elastic + point.gravity * r;
