@@ -63,6 +63,7 @@ void restore_ids(const ResumeState& rest, Scene& scene) {
     system.faces.set_points(f, corners);
   }
   if (system.scripted_hand) system.scripted_hand->point = id_of(system.scripted_hand->point);
+  if (system.center_point) system.center_point = id_of(*system.center_point);
 
   if (scene.cloth_texture.cloth_coordinates && rest.point_ids)
     scene.cloth_texture.cloth_coordinates =

@@ -5,6 +5,7 @@
 #include "base/printable.h"
 #include "base/read_file.h"
 #include "formats/png_picture.h"
+#include "formats/scene_json/scene_fields.h"
 
 namespace hooke {
 namespace {
@@ -23,17 +24,15 @@ void blit(const Picture& thumbnail, Picture& atlas, int left, int top) {
 
 GalleryEntry read_gallery_entry(const JsonField& field) {
   GalleryEntry entry;
-  bool has_group = false;
   for (const JsonField member : field.members()) {
-    if (member.is("group")) {
+    if (member.is("group"))
       entry.group = member.text();
-      has_group = true;
-    } else if (member.is("order"))
+    else if (member.is("order"))
       entry.order = static_cast<int>(member.integer(0, 1'000'000));
     else if (member.is("thumbnail_seconds"))
       entry.thumbnail_seconds = member.number({.min = 0.0, .max = 60.0});
   }
-  if (!has_group) field.refuse_missing("group", "must be a string");
+  required(field, "group", "must be a string");
   return entry;
 }
 

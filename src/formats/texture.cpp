@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/read_file.h"
+#include "formats/file_kinds.h"
 #include "formats/png_picture.h"
 #include "formats/scene_file.h"
 
@@ -21,13 +22,6 @@ constexpr std::array texture_rows{
 const ShippedTexture* find_shipped(std::string_view texture) {
   const auto row = std::ranges::find(texture_rows, texture, &ShippedTexture::id);
   return row == texture_rows.end() ? nullptr : &*row;
-}
-
-bool is_png_file(std::string_view texture) {
-  constexpr std::string_view ending = ".png";
-  return texture.size() > ending.size() && std::equal(ending.rbegin(), ending.rend(), texture.rbegin(), [](char a, char b) {
-           return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b - 'A' + 'a') : b);
-         });
 }
 
 // The axes right and down in the mean plane of the faces, as seen from the initial viewpoint.
@@ -96,7 +90,7 @@ bool is_shipped_texture(std::string_view id) { return find_shipped(id) != nullpt
 
 std::string texture_limit(std::string_view texture) {
   if (texture.empty() || find_shipped(texture) != nullptr) return {};
-  if (!is_png_file(texture)) {
+  if (find_file_kind(texture) != &png_file) {
     std::string ids;
     for (const ShippedTexture& row : texture_rows) ids += std::string(row.id) + ", ";
     return "must be " + ids + "or a .png in the folder of the scene";

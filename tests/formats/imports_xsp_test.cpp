@@ -217,7 +217,6 @@ TEST(Xsp, WallsAreAtTheWindow) {
 TEST(Xsp, StatementsThatCannotBeConvertedGiveWarnings) {
   const std::string masses = "mass 1 10 10 0 0 1 0.5\nmass 2 20 10 0 0 1 0.5\nmass 3 30 10 0 0 1 0.9\nmass 4 40 10 0 0 -1 0.1\n";
   EXPECT_TRUE(warns(load("frce 9 1 5 2\n"), "force 9 is unknown"));
-  EXPECT_TRUE(warns(load("cent 1\nfrce 2 1 5 2\n" + masses), "where mass 1 starts, although that mass is free"));
   EXPECT_TRUE(warns(load("frce 1 1 -5 2\n"), "\"Pull on center of mass\" is ignored: Stiffness would be -5"));
   EXPECT_TRUE(warns(load("frce 3 1 5 -1\n"), "\"Wall repulsion\" is ignored: Exponent would be -1"));
   EXPECT_FALSE(warns(load("frce 9 0 5 2\n"), "force"));

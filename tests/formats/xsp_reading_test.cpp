@@ -5,8 +5,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "formats/scene_file.h"
 #include "formats/xsp/xsp_file.h"
+#include "sim/forces/energy/energy.h"
 #include "sim/step/step.h"
+#include "sim/step/supply.h"
 
 namespace hooke {
 namespace {
@@ -74,6 +77,29 @@ TEST(Xsp, AMassMovesThroughTheCenterAsInXSpringies) {
   EXPECT_NEAR(scene.state.position[0].y / pixel, 250.098166, 0.05);
 }
 
+// The values are those of the original with steps of 0.05 ms. What the moving center supplies balances the energy.
+TEST(Xsp, AFreeMassAtTheCenterTakesItAlong) {
+  const LoadedScene loaded = load(
+      "cent 1\nfrce 1 1 10 2\nfrce 2 1 100 0\nmass 1 200 200 10 0 2 1\nmass 2 300 250 0 0 2 1\n"
+      "mass 3 280 150 0 5 2 1\nspng 1 1 2 2 0 90\n");
+  std::vector<std::string> losses;
+  for (Scene scene : {loaded.scene, parse_scene(format_scene(loaded.scene), "again.json").scene,
+                      parse_xsp(format_xsp(loaded.scene, "again.xsp", losses), "again.xsp").scene}) {
+    initialize_supply(scene.system, scene.state);
+    run(scene, 5.0);
+    const Vec3 expected[] = {Vec3(381.576092, 192.403365, 0.0), Vec3(379.78589, 242.935242, 0.0), Vec3(324.750358, 169.432551, 0.0)};
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(glm::distance(scene.state.position[i] / pixel, expected[i]), 0.01) << i;
+    EXPECT_NEAR(compute_energy(scene.system, scene.state).total(), scene.state.supply.net_input, 1e-4 * scene.state.supply.scale);
+  }
+  EXPECT_TRUE(losses.empty());
+}
+
+TEST(Xsp, TheVelocityOfANailOnADashpotGivesAWarning) {
+  const std::string masses = "mass 1 100 100 5 0 -1 1\nmass 2 150 100 0 0 1 1\n";
+  EXPECT_TRUE(warns(load(masses + "spng 1 1 2 10 1 50\n"), "1 spring is damped towards a nail at rest"));
+  EXPECT_TRUE(load(masses + "spng 1 1 2 10 0 50\n").warnings.empty());
+}
+
 TEST(Xsp, AFallTowardsTheCenterFollowsTheClosedForm) {
   // a = p1 / d: v^2 / 2 = p1 ln(d0 / d); the radius of a mass of 40 is 10 pixels
   LoadedScene loaded = load("frce 2 1 1000 1\nmass 40 330 240 0 0 40 1\n");
@@ -114,6 +140,14 @@ TEST(Xsp, AStickyWallHoldsWhatWouldReboundSlowly) {
   run(scene, 1.5);
   EXPECT_EQ(scene.state.position[0], there);
   EXPECT_EQ(scene.state.velocity[0], Vec3(0.0));
+}
+
+// The values are those of the original with steps of 0.1 ms. The weight is more than the stickiness.
+TEST(Xsp, MassesOnAStickyWallStayOnIt) {
+  Scene scene = load("frce 0 1 10 0\nstck 5\nwall 0 0 0 1\nmass 1 100 50 20 0 1 0\nmass 2 110 53 20 0 1 0\nspng 1 1 2 50 2 14\n").scene;
+  run(scene, 6.0);
+  EXPECT_LT(glm::distance(scene.state.position[0] / pixel, Vec3(159.2916, 3.0, 0.0)), 0.1);
+  EXPECT_LT(glm::distance(scene.state.position[1] / pixel, Vec3(174.8290, 3.0, 0.0)), 0.1);
 }
 
 // The stickiness is taken off the rebound: 44.05 pixels/s less 10.

@@ -17,9 +17,25 @@ TEST(SmallColliderWarning, NamesTheBallThatFitsBetweenThePointsOfACloth) {
                        std::string(solid) + R"(, "radius": )" + std::to_string(radius) + "}]}");
   };
   EXPECT_EQ(warnings(0.1, "true"), std::vector<std::string>{"test.json: colliders[1]: a ball of radius 0.1 m fits between the points of a "
-                                                            "face of 0.34 m, which passes through it: only points touch colliders"});
+                                                            "face of 0.34 m, which passes through it: only points touch colliders; a "
+                                                            "nailed point of that radius stops it, with contact of faces"});
   EXPECT_TRUE(warnings(0.1, "false").empty());
   EXPECT_TRUE(warnings(0.15, "true").empty());
+}
+
+// A peg as wide as the gaps of a rope, of 0.2 m with points of a quarter of it, and the point that the warning names instead.
+TEST(SmallColliderWarning, NamesWhatStopsTheRope) {
+  const std::string rope = R"({"hooke": 1, "dimensions": 2, "contact": {"springs": true}, "generators": [{"type": "rope",
+    "from": [-0.5, 1, 0], "to": [0.5, 1, 0], "points": 6, "mass": 0.2, "stiffness": 100}], )";
+  const auto warnings = warnings_of(rope + R"("colliders": [{"type": "sphere", "center": [0, 0.5, 0], "radius": 0.05}]})");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warnings[0].ends_with("a nailed point of that radius stops it, with contact of springs")) << warnings[0];
+  const Scene scene = parse(rope + R"("points": [{"position": [0, 0.5, 0], "nailed": true, "radius": 0.05}]})");
+  TestSim sim;
+  sim.system = scene.system;
+  sim.state = scene.state;
+  sim.run(default_integrator(), 1.0, 1200);
+  EXPECT_GT(sim.state.position[3].y, 0.5);
 }
 
 // A bar passes, a slab does not; springs between nails do not count.

@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/contact/gap.h"
 #include "sim/forces/energy/energy.h"
 #include "support/convergence.h"
 #include "support/crossings.h"
@@ -44,6 +45,37 @@ TEST(SurfaceContact, LetsNoClothPassThroughItselfOrAnother) {
     TestSim touching = sim;
     folds::touch(touching);
     EXPECT_EQ(worst_crossings(touching, verlet(), frames, substeps), 0) << name;
+  }
+}
+
+// Three sheets are thrown onto each other above a floor, a ball and a box, in long steps.
+TEST(SurfaceContact, PressesNothingIntoColliders) {
+  for (std::uint64_t seed = 0; seed < 15; ++seed) {
+    Random random(seed);
+    TestSim sim;
+    for (int s = 0; s < 3; ++s) {
+      const double height = 0.35 + 0.15 * s, slope = s == 0 ? 0.0 : random.uniform(-0.1, 0.1), speed = random.uniform(0.0, 5.0);
+      folds::add_sheet(
+          sim, 7, [&](double u, double v) { return Vec3(u - 0.5, height + slope * (u - 0.5), v - 0.5); },
+          [&](double, double) { return Vec3(0.0, -speed, 0.0); });
+    }
+    folds::touch(sim);
+    sim.system.colliders = {{.shape = Plane{}, .friction = 0.5}};
+    if (seed % 3 == 1) sim.system.colliders.push_back({.shape = Sphere{Vec3(0.0), 0.3}});
+    if (seed % 3 == 2) sim.system.colliders.push_back({.shape = Box{Vec3(-0.3, 0.0, -0.2), Vec3(0.3, 0.3, 0.2)}, .friction = 0.3});
+    const char* const methods[] = {"xpbd", "tr_bdf2", "implicit_euler", "baraff_witkin", "esdirk4"};
+    const Integrator& method = *find_integrator(random.one_of(methods));
+    const CrossingCounter counter(sim.system);
+    double depth = 0.0;
+    long crossings = 0;
+    for (int i = 0; i < 20; ++i) {
+      sim.run(method, frame, 2);
+      crossings = std::max(crossings, counter.count(sim.state.position));
+      for (const Vec3& x : sim.state.position)
+        for (const Collider& collider : sim.system.colliders) depth = std::max(depth, -gap_to(collider, 0.0, x).distance);
+    }
+    EXPECT_LT(depth, 1e-9) << seed << " " << method.id;
+    EXPECT_EQ(crossings, 0) << seed << " " << method.id;
   }
 }
 

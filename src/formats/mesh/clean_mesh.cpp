@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <set>
 #include <tuple>
 
 #include "base/errors.h"
@@ -178,40 +179,22 @@ double MeshCleaner::longest_side_of(const Cell& cell) const {
 
 // Compares corners in any order: a duplicate would double stiffness and mass.
 void MeshCleaner::remove_duplicate_cells() {
-  struct Key {
-    std::array<Index, 4> corners;
-    std::size_t cell;
-    bool operator<(const Key& other) const { return std::tie(corners, cell) < std::tie(other.corners, other.cell); }
-  };
-  std::vector<Key> keys;
-  keys.reserve(clean_mesh_.cells.size());
-  for (std::size_t i = 0; i < clean_mesh_.cells.size(); ++i) {
-    keys.push_back({clean_mesh_.cells[i].corners, i});
-    std::sort(keys.back().corners.begin(), keys.back().corners.end());
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<bool> is_duplicate(clean_mesh_.cells.size(), false);
-  for (std::size_t k = 1; k < keys.size(); ++k) is_duplicate[keys[k].cell] = keys[k].corners == keys[k - 1].corners;
-
-  std::size_t unique_count = 0;
-  for (std::size_t i = 0; i < clean_mesh_.cells.size(); ++i)
-    if (!is_duplicate[i]) clean_mesh_.cells[unique_count++] = clean_mesh_.cells[i];
-  changes_.duplicates = clean_mesh_.cells.size() - unique_count;
-  clean_mesh_.cells.resize(unique_count);
+  std::set<std::array<Index, 4>> seen;
+  changes_.duplicates = std::erase_if(clean_mesh_.cells, [&](const Cell& cell) {
+    std::array<Index, 4> corners = cell.corners;
+    std::ranges::sort(corners);
+    return !seen.insert(corners).second;
+  });
 }
 
 // Lines without length, and further lines between the same two vertices, are dropped.
 void MeshCleaner::add_lines() {
-  std::vector<std::pair<std::array<Index, 2>, std::size_t>> keys;
+  std::set<std::pair<Index, Index>> seen;
   for (const auto& [first, second] : mesh_.lines) {
-    const Index a = welded(first), b = welded(second);
-    if (a != b) keys.push_back({{std::min(a, b), std::max(a, b)}, keys.size()});
+    const auto [a, b] = std::minmax({welded(first), welded(second)});
+    if (a != b && seen.emplace(a, b).second) clean_mesh_.lines.push_back({a, b});
   }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end(), [](const auto& k, const auto& l) { return k.first == l.first; }), keys.end());
-  std::sort(keys.begin(), keys.end(), [](const auto& k, const auto& l) { return k.second < l.second; });
-  for (const auto& key : keys) clean_mesh_.lines.push_back(key.first);
-  changes_.lines = mesh_.lines.size() - keys.size();
+  changes_.lines = mesh_.lines.size() - clean_mesh_.lines.size();
 }
 
 // Vertices that are needed become points, in the order of the file.

@@ -47,12 +47,10 @@ void NetworkReader::refuse(const std::string& field, const std::string& what) co
 void NetworkReader::read_point(const JsonField& field) {
   Point point{.id = PointId{static_cast<std::uint32_t>(network_.points.size())}};
   Vec3 position(0.0), velocity(0.0);
-  bool has_position = false;
   for (const JsonField member : field.members()) {
-    if (member.is("position")) {
+    if (member.is("position"))
       position = fields_.position(member);
-      has_position = true;
-    } else if (member.is("velocity"))
+    else if (member.is("velocity"))
       velocity = fields_.position(member);
     else if (member.is("nailed"))
       point.nailed = member.boolean();
@@ -69,7 +67,7 @@ void NetworkReader::read_point(const JsonField& field) {
     else
       fields_.preserve_unknown(member, unknown_.unknown_of_points[point.id]);
   }
-  if (!has_position) field.refuse_missing("position", "must be [x, y, z]");
+  required(field, "position", "must be [x, y, z]");
   network_.points.push_back(point);
   network_.position.push_back(position);
   network_.velocity.push_back(velocity);
@@ -77,18 +75,15 @@ void NetworkReader::read_point(const JsonField& field) {
 
 void NetworkReader::read_spring(const JsonField& field) {
   Spring spring{.id = SpringId{static_cast<std::uint32_t>(network_.springs.size())}, .rest_length = rest_length_not_given};
-  bool has_points = false, has_stiffness = false;
   for (const JsonField member : field.members()) {
     if (member.is("points")) {
       const auto ends = member.items(2, 2);
       spring.first = read_point_number(ends[0]);
       spring.second = read_point_number(ends[1]);
       if (spring.first == spring.second) member.refuse("must be two different points");
-      has_points = true;
-    } else if (member.is("stiffness")) {
+    } else if (member.is("stiffness"))
       spring.stiffness = member.number(not_negative);
-      has_stiffness = true;
-    } else if (member.is("damping"))
+    else if (member.is("damping"))
       spring.damping = member.number(not_negative);
     else if (member.is("family"))
       spring.family = read_family(member);
@@ -101,8 +96,8 @@ void NetworkReader::read_spring(const JsonField& field) {
     else if (!read_law_field(member, spring))
       fields_.preserve_unknown(member, unknown_.unknown_of_springs[spring.id]);
   }
-  if (!has_points) field.refuse_missing("points", "must be two point numbers");
-  if (!has_stiffness) field.refuse_missing("stiffness", "must be a number of at least 0");
+  required(field, "points", "must be two point numbers");
+  required(field, "stiffness", "must be a number of at least 0");
   network_.springs.push_back(spring);
 }
 

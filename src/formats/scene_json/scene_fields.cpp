@@ -21,6 +21,17 @@ constexpr std::size_t max_unknown_names = 20;  // that are listed individually i
 
 }  // namespace
 
+std::optional<JsonField> find_member(const JsonField& field, std::string_view key) {
+  for (const JsonField member : field.members())
+    if (member.is(key)) return member;
+  return std::nullopt;
+}
+
+JsonField required(const JsonField& field, std::string_view key, std::string_view limit) {
+  if (const auto member = find_member(field, key)) return *member;
+  field.refuse_missing(key, limit);
+}
+
 Vec3 SceneFields::vector(const JsonField& field, bool in_plane) {
   Vec3 vector(0.0);
   const auto items = field.items(2, 3);

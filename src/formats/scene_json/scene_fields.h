@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,10 @@
 #include "sim/model/system.h"
 
 namespace hooke {
+
+// The member with this key; none: it is missing. And one that must not be missing.
+std::optional<JsonField> find_member(const JsonField& field, std::string_view key);
+JsonField required(const JsonField& field, std::string_view key, std::string_view limit = "must be given");
 
 class SceneFields {
  public:

@@ -128,8 +128,8 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
   }
 
   if (is_addition_)
-    for (const char* other : {"name", "description", "notes", "muscle_offset", "dimensions", "time", "hand", "view", "defaults", "controls",
-                              "check", "gallery"})
+    for (const char* other : {"name", "description", "notes", "muscle_offset", "dimensions", "time", "center_point", "hand", "view",
+                              "defaults", "controls", "check", "gallery"})
       if (key == other) refuse(other, "cannot be added to a scene");
   const JsonField field(name_, key, parser_.parse(text));
   if (field.is("hooke")) {
@@ -154,6 +154,8 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
     scene_.system.gravity = fields_.position(field);
   else if (field.is("wind"))
     scene_.system.wind = fields_.position(field);
+  else if (field.is("center_point"))
+    scene_.system.center_point = PointId{static_cast<std::uint32_t>(field.integer(0, static_cast<std::int64_t>(max_points) - 1))};
   else if (field.is("contact"))
     read_contact(field, fields_, scene_);
   else if (field.is("hand"))
@@ -188,6 +190,8 @@ void SceneReader::read_item(std::string_view key, std::size_t index, std::string
 }
 
 void SceneReader::check_hand(std::size_t points) const {
+  if (const auto& center = scene_.system.center_point; center && static_cast<std::uint32_t>(*center) >= points)
+    refuse("center_point", no_such_point(static_cast<std::uint32_t>(*center), points));
   if (!scene_.system.scripted_hand) return;
   if (const auto number = static_cast<std::uint32_t>(scene_.system.scripted_hand->point); number >= points)
     refuse("hand.point", no_such_point(number, points));

@@ -72,21 +72,17 @@ bool read_force_number(const JsonField& member, Force& force) {
 constexpr double min_circle_radius = 1e-6;  // [m]
 
 void read_circle(const JsonField& field, SceneFields& fields, Scene& scene, ScriptedHand& hand) {
-  bool has_from = false, has_center = false;
   for (const JsonField member : field.members()) {
-    if (member.is("from")) {
+    if (member.is("from"))
       hand.from = fields.position(member);
-      has_from = true;
-    } else if (member.is("center")) {
+    else if (member.is("center"))
       hand.center = fields.position(member);
-      has_center = true;
-    } else if (member.is("axis"))
+    else if (member.is("axis"))
       hand.axis = fields.direction(member);
     else
       fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
   }
-  if (!has_from) field.refuse_missing("from", "must be [x, y, z]");
-  if (!has_center) field.refuse_missing("center", "must be [x, y, z]");
+  for (const char* key : {"from", "center"}) required(field, key, "must be [x, y, z]");
   const double radius = glm::length(glm::cross(hand.axis, hand.from - hand.center));
   if (!(radius >= min_circle_radius) || !std::isfinite(radius))
     field.refuse("must have from at least 1e-06 m away from the axis through center");
@@ -118,14 +114,9 @@ bool read_parameter(const JsonField& field, Scene& scene) {
 }
 
 void read_force(const JsonField& field, SceneFields& fields, Scene& scene) {
-  Force force;
-  for (const JsonField member : field.members()) {
-    if (!member.is("type")) continue;
-    force.term = find_force_term(member.text());
-    if (force.term == nullptr) member.refuse(must_be_one_of(ids_of_forces(), member.text()));
-  }
-  if (force.term == nullptr) field.refuse_missing("type", "must be one of " + ids_of_forces());
-
+  const JsonField type = required(field, "type", "must be one of " + ids_of_forces());
+  Force force{.term = find_force_term(type.text())};
+  if (force.term == nullptr) type.refuse(must_be_one_of(ids_of_forces(), type.text()));
   force.values = default_values(*force.term);
   for (const JsonField member : field.members()) {
     if (member.is("type")) continue;
@@ -145,29 +136,24 @@ void read_contact(const JsonField& field, SceneFields& fields, Scene& scene) {
 
 void read_hand(const JsonField& field, SceneFields& fields, Scene& scene) {
   ScriptedHand hand;
-  bool has_point = false, has_circle = false, has_speed = false, has_seconds = false;
   for (const JsonField member : field.members()) {
-    if (member.is("point")) {
+    if (member.is("point"))
       hand.point = PointId{static_cast<std::uint32_t>(member.integer(0, static_cast<std::int64_t>(max_points) - 1))};
-      has_point = true;
-    } else if (member.is("circle")) {
+    else if (member.is("circle"))
       read_circle(member, fields, scene, hand);
-      has_circle = true;
-    } else if (member.is("speed")) {
+    else if (member.is("speed"))
       hand.speed = member.number({.min = 0.0, .max = 1e6});
-      has_speed = true;
-    } else if (member.is("begin"))
+    else if (member.is("begin"))
       hand.begin = member.number();
-    else if (member.is("seconds")) {
+    else if (member.is("seconds"))
       hand.seconds = member.number(positive);
-      has_seconds = true;
-    } else
+    else
       fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
   }
-  if (!has_point) field.refuse_missing("point", "must be a point number");
-  if (!has_circle) field.refuse_missing("circle", "must be {\"from\": [x, y, z], \"center\": [x, y, z]}");
-  if (!has_speed) field.refuse_missing("speed", "must be from 0 to 1000000");
-  if (!has_seconds) field.refuse_missing("seconds", "must be more than 0");
+  required(field, "point", "must be a point number");
+  required(field, "circle", "must be {\"from\": [x, y, z], \"center\": [x, y, z]}");
+  required(field, "speed", "must be from 0 to 1000000");
+  required(field, "seconds", "must be more than 0");
   scene.system.scripted_hand = hand;
 }
 

@@ -94,6 +94,8 @@ std::string SceneWriter::write() {
   write_list("colliders", system_.colliders.size(), [&](std::size_t c) { write_collider(c); });
   write_contact();
   write_list("forces", system_.forces.size(), [&](std::size_t f) { write_force(f); });
+  if (system_.center_point && system_.index_of(*system_.center_point) != no_index)
+    out_.integer("center_point", system_.index_of(*system_.center_point));
 
   write_hand();
   write_simulation();

@@ -61,18 +61,11 @@ std::optional<std::size_t> find_row(std::span<const Row> rows, const JsonField& 
   return row == rows.end() ? std::nullopt : std::optional(static_cast<std::size_t>(row - rows.begin()));
 }
 
-std::optional<JsonField> find_member(const JsonField& field, std::string_view key) {
-  for (const JsonField member : field.members())
-    if (member.is(key)) return member;
-  return std::nullopt;
-}
-
 void check_required(const JsonField& field, const ShapeKind& kind) {
-  for (const ShapeVector& vector : kind.vectors)
-    if (!find_member(field, vector.name)) field.refuse_missing(vector.name, "must be " + std::string(vector.format));
+  for (const ShapeVector& vector : kind.vectors) required(field, vector.name, "must be " + std::string(vector.format));
   for (const ShapeNumber& number : kind.numbers)
-    if (number.is_required && !find_member(field, number.name))
-      field.refuse_missing(number.name, "must be a whole number of at least " + std::to_string(static_cast<std::int64_t>(number.min)));
+    if (number.is_required)
+      required(field, number.name, "must be a whole number of at least " + std::to_string(static_cast<std::int64_t>(number.min)));
 }
 
 void check_values(const JsonField& field, const Shape& shape) {
@@ -115,10 +108,9 @@ std::string ids_of_shapes() { return joined(shape_kinds(), &ShapeKind::id); }
 }  // namespace
 
 Shape read_shape(const JsonField& field, SceneFields& fields) {
-  const auto type = find_member(field, "type");
-  if (!type) field.refuse_missing("type", "must be one of " + ids_of_shapes());
-  const ShapeKind* kind = find_shape_kind(type->text());
-  if (kind == nullptr) type->refuse(must_be_one_of(ids_of_shapes(), type->text()));
+  const JsonField type = required(field, "type", "must be one of " + ids_of_shapes());
+  const ShapeKind* kind = find_shape_kind(type.text());
+  if (kind == nullptr) type.refuse(must_be_one_of(ids_of_shapes(), type.text()));
 
   Shape shape = default_shape(*kind);
   std::string unknown;

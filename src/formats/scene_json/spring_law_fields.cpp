@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text_lines.h"
+#include "formats/scene_json/scene_fields.h"
 #include "scene/spring_laws.h"
 
 namespace hooke {
@@ -16,20 +17,17 @@ SpringForce read_force(const JsonField& field) {
 }
 
 void read_muscle(const JsonField& field, SpringLaw& law) {
-  bool has_amplitude = false;
   for (const JsonField member : field.members()) {
-    if (member.is("amplitude")) {
+    if (member.is("amplitude"))
       law.amplitude = member.number({.min = -1.0, .max = 1.0});
-      has_amplitude = true;
-    } else if (member.is("frequency")) {
+    else if (member.is("frequency"))
       law.frequency = member.number(not_negative);
-    } else if (member.is("phase")) {
+    else if (member.is("phase"))
       law.phase = member.number();
-    } else {
+    else
       member.refuse("must be amplitude, frequency or phase");
-    }
   }
-  if (!has_amplitude) field.refuse_missing("amplitude", "must be a number from -1 to 1");
+  required(field, "amplitude", "must be a number from -1 to 1");
 }
 
 }  // namespace

@@ -46,7 +46,11 @@ std::optional<XspSide> side_of(const Vec3& normal) {
 class Exporter {
  public:
   Exporter(const Scene& scene, const std::string& file, std::vector<std::string>& losses)
-      : scene_(scene), system_(scene.system), file_(file), losses_(losses) {}
+      : scene_(scene),
+        system_(scene.system),
+        file_(file),
+        losses_(losses),
+        center_point_(system_.center_point ? system_.index_of(*system_.center_point) : no_index) {}
 
   std::string text() {
     if (system_.dimensions != 2)
@@ -116,7 +120,7 @@ class Exporter {
       max = i == 0 ? scene_.state.position[i] : glm::max(max, scene_.state.position[i]);
     }
     auto center_of_forces = center();
-    if (center_of_forces && nailed_at(*center_of_forces) != no_index) center_of_forces.reset();  // that mass can be named
+    if (center_point_ != no_index) center_of_forces.reset();  // that mass can be named
     const auto shift = [&](XspSide low, XspSide high, double width, int c) {
       const double size = width / xsp_pixels_per_meter;
       if (const Wall* wall = wall_at(low)) return -wall->place;
@@ -170,24 +174,12 @@ class Exporter {
       return;
     }
     place = {true, p1, p2};
-    if (id != 3 && document_.center == -1) find_center_mass(force_center);
-  }
-
-  // A nailed mass at the center, if that is not the middle of the window.
-  void find_center_mass(const Vec3& place) {
+    if (id == 3) return;
     const Vec3 middle = 0.5 / xsp_pixels_per_meter * Vec3(xsp_window_width, xsp_window_height, 0.0);
-    if (glm::distance(place + shift_, middle) < 1e-9) return;
-    const Index mass = nailed_at(place);
-    if (mass == no_index)
+    if (center_point_ != no_index)
+      document_.center = center_point_ + 1;
+    else if (glm::distance(force_center + shift_, middle) >= 1e-9)
       report_loss("the position of the center of forces: it is the middle of the window");
-    else
-      document_.center = mass + 1;
-  }
-
-  Index nailed_at(const Vec3& place) const {
-    for (Index i = 0; i < system_.point_count(); ++i)
-      if (system_.points()[i].nailed && scene_.state.position[i] == place) return i;
-    return no_index;
   }
 
   void export_walls() {
@@ -284,6 +276,7 @@ class Exporter {
   const System& system_;
   const std::string& file_;
   std::vector<std::string>& losses_;
+  const Index center_point_;
   std::vector<Wall> walls_;
   Vec3 shift_{0.0};  // [m]
   XspDocument document_;

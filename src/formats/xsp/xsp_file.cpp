@@ -68,25 +68,22 @@ class Importer {
       zero += mass.mass == 0.0 ? 1 : 0;
       const bool is_fixed = mass.mass < 0.0;
       const PointId id = system.new_point_id();
-      point_of_.emplace_back(mass.id, id);
+      point_of_[mass.id] = id;
       points.push_back({.id = id, .nailed = is_fixed, .mass = mass_of(mass), .radius = xsp_radius(mass_of(mass), is_fixed)});
       loaded_.scene.state.position.push_back(Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_meter);
       loaded_.scene.state.velocity.push_back(Vec3(mass.vx, mass.vy, 0.0) / xsp_pixels_per_meter);
     }
     system.set_points(std::move(points));
     if (zero > 0) warn(pluralize(zero, "mass", "masses") + " of 0: 1, as in XSpringies");
-    std::sort(point_of_.begin(), point_of_.end());
   }
-
-  PointId point_of(int mass) const { return std::lower_bound(point_of_.begin(), point_of_.end(), std::pair(mass, PointId{}))->second; }
 
   void import_springs() {
     System& system = loaded_.scene.system;
     std::vector<Spring> springs;
     for (const XspSpring& spring : document_.springs)
       springs.push_back({.id = system.new_spring_id(),
-                         .first = point_of(spring.first),
-                         .second = point_of(spring.second),
+                         .first = point_of_.at(spring.first),
+                         .second = point_of_.at(spring.second),
                          .stiffness = spring.stiffness,
                          .damping = spring.damping,
                          .rest_length = spring.rest_length / xsp_pixels_per_meter});
@@ -95,6 +92,17 @@ class Importer {
       return position[system.index_of(spring.first)] == position[system.index_of(spring.second)];
     };
     const auto count = static_cast<std::size_t>(std::count_if(springs.begin(), springs.end(), has_coincident_ends));
+    const auto is_driven = [&](const Spring& spring) {
+      const auto moves = [&](PointId id) {
+        const XspMass& mass = document_.masses[static_cast<std::size_t>(system.index_of(id))];
+        return mass.mass < 0.0 && (mass.vx != 0.0 || mass.vy != 0.0);
+      };
+      return spring.damping > 0.0 && (moves(spring.first) || moves(spring.second));
+    };
+    const auto driven = static_cast<std::size_t>(std::count_if(springs.begin(), springs.end(), is_driven));
+    if (driven > 0)
+      warn(pluralize(driven, "spring is", "springs are") +
+           " damped towards a nail at rest: XSpringies uses the velocity that the file gives it");
     if (count > 0)
       warn(pluralize(count, "spring connects", "springs connect") +
            " masses at the same position: no force between them until they separate");
@@ -158,15 +166,12 @@ class Importer {
     for (const XspMass& mass : document_.masses)
       if (mass.id == document_.center) {
         center_ = Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_meter;
-        center_moves_ = mass.mass >= 0.0;
-        center_is_mass_ = true;
+        loaded_.scene.system.center_point = point_of_.at(mass.id);
       }
   }
 
   void warn_of_center() {
-    if (center_moves_)
-      warn("the center of forces stays where mass " + std::to_string(document_.center) + " starts, although that mass is free");
-    else if (!center_is_mass_)
+    if (!loaded_.scene.system.center_point)
       warn("the file does not contain the size of the window: the center of forces is at x = " + format_rounded(xsp_window_width / 2.0) +
            ", y = " + format_rounded(xsp_window_height / 2.0) + " pixels");
   }
@@ -259,9 +264,8 @@ class Importer {
 
   const XspDocument& document_;
   const std::string& file_;
-  std::vector<std::pair<int, PointId>> point_of_;  // by the id of the mass
-  Vec3 center_{0.0};                               // [m], of the forces
-  bool center_is_mass_ = false, center_moves_ = false;
+  std::map<int, PointId> point_of_;  // by the id of the mass
+  Vec3 center_{0.0};                 // [m], of the forces
   LoadedScene loaded_;
 };
 

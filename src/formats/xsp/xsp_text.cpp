@@ -191,12 +191,12 @@ class Reader {
 
   // Removes springs to masses that are not in the file.
   void check_ids() {
-    const std::vector<int> masses = check_unique(document_.masses, "mass");
+    const std::set<int> masses = check_unique(document_.masses, "mass");
     check_unique(document_.springs, "spng");
     std::erase_if(document_.springs, [&](const XspSpring& spring) {
       const std::string name = "spng: " + std::to_string(spring.id) + ": mass ";
       for (const int id : {spring.first, spring.second})
-        if (!std::binary_search(masses.begin(), masses.end(), id)) {
+        if (!masses.contains(id)) {
           unconnected_.push_back("line " + std::to_string(spring.line) + ": " + name + std::to_string(id) +
                                  ": is not in the file: ignored");
           return true;
@@ -212,20 +212,11 @@ class Reader {
     if (all.size() > 1) document_.warnings.push_back(pluralize(all.size() - 1, one, many) + what);
   }
 
-  // The sorted ids. Refuses the first line, in the order of the file, that repeats an id.
   template <class Item>
-  std::vector<int> check_unique(const std::vector<Item>& items, std::string_view command) const {
-    std::vector<std::pair<int, int>> id_and_line;
-    for (const Item& item : items) id_and_line.emplace_back(item.id, item.line);
-    std::sort(id_and_line.begin(), id_and_line.end());
-
-    const std::pair<int, int>* duplicate = nullptr;
-    std::vector<int> ids;
-    for (const auto& one : id_and_line) {
-      if (!ids.empty() && ids.back() == one.first && (!duplicate || one.second < duplicate->second)) duplicate = &one;
-      ids.push_back(one.first);
-    }
-    if (duplicate) refuse(duplicate->second, std::string(command) + ": id: " + std::to_string(duplicate->first), "is already used");
+  std::set<int> check_unique(const std::vector<Item>& items, std::string_view command) const {
+    std::set<int> ids;
+    for (const Item& item : items)
+      if (!ids.insert(item.id).second) refuse(item.line, std::string(command) + ": id: " + std::to_string(item.id), "is already used");
     return ids;
   }
 

@@ -61,13 +61,16 @@ std::optional<std::string> small_collider_text(const System& system, const State
   const bool is_ball = std::holds_alternative<Sphere>(collider.shape), of_faces = system.dimensions == 3 && !system.faces.empty();
   std::vector<PassableGap> gaps = gaps_of(system, state, of_faces, is_ball);
   if (gaps.empty()) return std::nullopt;
-  // a few long springs or faces, such as those within a body, are no gap that matters: three quarters must be wide enough
+  // a few long springs or faces, such as those within a body, are no gap that matters: three quarters must be wide enough, or become so
+  // when they are stretched a little
+  constexpr double stretch = 1.1;
   const auto typical = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 4);
   std::ranges::nth_element(gaps, typical, {}, &PassableGap::half);
-  if (half >= typical->half) return std::nullopt;
+  if (half >= stretch * typical->half) return std::nullopt;
   return (is_ball ? "a ball of radius " + quantity_text(half, "m", 2) : "a box that is " + quantity_text(2.0 * half, "m", 2) + " wide") +
          " fits between the points of a " + (of_faces ? "face" : "spring") + " of " + quantity_text(typical->length, "m", 2) +
-         ", which passes through it: only points touch colliders";
+         ", which passes through it: only points touch colliders" +
+         (is_ball ? std::string("; a nailed point of that radius stops it, with contact of ") + (of_faces ? "faces" : "springs") : "");
 }
 
 std::optional<std::string> small_collider_warning(const System& system, const State& state) {

@@ -18,13 +18,15 @@ struct Path {
 
 // The path after the time `left` from the end back, at which it crosses the plane, continued with the velocity of the rebound.
 void rebound(Path& path, const Vec3& normal, double height, double left, double restitution, double adhesion) {
-  Vec3 crossing = path.x - left * path.v + 0.5 * left * left * path.a, v = path.v - left * path.a;
+  Vec3 v = path.v - left * path.a;
   if (glm::dot(normal, v) >= 0.0) {
     // pressed from rest: an impact at the end
     left = 0.0;
     v = path.v;
-    crossing = path.x + (height - glm::dot(normal, path.x)) * normal;
   }
+  Vec3 crossing = path.x - left * path.v + 0.5 * left * left * path.a;
+  // not behind the plane by the error of the step, where it would be free
+  crossing += (height - glm::dot(normal, crossing)) * normal;
   const double approach = -glm::dot(normal, v);
   if (approach <= 0.0) {
     path.x = crossing;

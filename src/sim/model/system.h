@@ -160,6 +160,8 @@ class System {
   std::vector<Collider> colliders;
   PairContact contact;
   std::vector<Force> forces;  // besides gravity, springs, dashpots and drag
+  // Which forces towards a center have there, and act on all others, without a reaction. None, or no such point: their own.
+  std::optional<PointId> center_point;
   std::optional<Grab> grab;
   double hand_speed = 0.0;                    // [m/s], speed limit of the hand; 0: none
   double break_strain = 0.0;                  // [1], of all springs, in addition to their own; 0: none

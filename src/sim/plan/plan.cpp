@@ -119,6 +119,7 @@ void plan_forces(Plan& plan, const System& system) {
   plan.force_data.hinges = {};
   plan.force_data.enclosures = {};
   plan.force_data.sticky.strength = 0.0;
+  plan.force_data.center = system.center_point ? system.index_of(*system.center_point) : no_index;
   if (plan.forces.empty()) return;
   plan.force_data.faces = system.faces.size();
   for (const Force& force : plan.forces)

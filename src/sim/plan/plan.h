@@ -144,6 +144,7 @@ struct ForceData {
   HingePlan hinges;                  // empty without the bending force
   EnclosurePlan enclosures;          // empty without the pressure force
   StickyPlan sticky;
+  Index center = no_index;  // the point at the center of forces
 };
 
 // What the hand pulls or holds.

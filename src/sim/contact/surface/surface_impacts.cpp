@@ -24,10 +24,8 @@ constexpr long max_distances = 5'000'000, max_excess = 40'000'000;
 bool SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detection, std::span<const double> inverse_mass,
                              std::span<const Vec3> x, double h, Index held, std::span<Vec3> u) {
   bool any = false;
-  distances_ = 0;
-  held_impulse_ = 0.0;
   zone_.clear();
-  const long usual = usual_distances(x.size());
+  const long usual = usual_distances(x.size()), start = distances_;
   for (int pass = 0; pass < max_passes; ++pass) {
     has_failed_ = !detection.change_velocities(plan, u);
     bool hits = false;
@@ -47,7 +45,7 @@ bool SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detectio
     any = any || hits;
     if (has_failed_ || !hits) break;
   }
-  excess_ += std::max(0L, distances_ + detection.tests() - usual);
+  excess_ += std::max(0L, distances_ - start + detection.tests() - usual);
   has_failed_ = has_failed_ || excess_ > max_excess;
   return any;
 }

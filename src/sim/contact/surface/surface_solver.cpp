@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "sim/contact/constants.h"
 #include "sim/contact/pair_solver.h"
@@ -42,6 +43,8 @@ bool SurfaceSolver::load(const Plan& plan, const Field& x0, double h, const Moti
 void SurfaceSolver::start_frame(const Plan& plan) {
   const std::vector<Index>& points = plan.surface.points;
   inverse_mass_.resize(points.size());
+  stopped_.reserve(points.size());
+  inside_.reserve(points.size());
   local_.assign(plan.points, no_index);
   for (std::size_t k = 0; k < points.size(); ++k) {
     inverse_mass_[k] = plan.inverse_mass[points[k]];
@@ -83,9 +86,8 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
 
   // impulses on the paths, and impacts of what would meet nevertheless
   contacts_.solve_paths(step(), u_);
-  impacts_.prevent(plan.surface, detection_, inverse_mass_, x_, h, held_, std::span(u_).first(n));
+  has_failed_ = !prevent_impacts(plan, obstacles, h);
   motion.counts.contact_tests += impacts_.distances();
-  has_failed_ = impacts_.has_failed();
   if (has_failed_) return false;
 
   // velocities at the end
@@ -130,6 +132,42 @@ void SurfaceSolver::add_obstacle(const Plan& plan, const Obstacle& obstacle, Ind
                                .pair = SurfaceContact::obstacle + number,
                                .kind = FeaturePair::TwoEdges});
   }
+}
+
+// Also with the obstacles, into which impacts must not lead. False: gave up.
+bool SurfaceSolver::prevent_impacts(const Plan& plan, std::span<const Obstacle> obstacles, double h) {
+  stopped_.clear();
+  impacts_.begin_substep();
+  do {
+    impacts_.prevent(plan.surface, detection_, inverse_mass_, x_, h, held_, std::span(u_).first(x_.size()));
+  } while (!impacts_.has_failed() && stop_lowest(plan, obstacles, h));
+  for (const Index k : stopped_) inverse_mass_[k] = plan.inverse_mass[plan.surface.points[k]];
+  return !impacts_.has_failed();
+}
+
+// Of the points that contact has led into obstacles, those closest to them at the start end their paths at their surface from now on:
+// others may be on top of them. Returns whether there are any.
+bool SurfaceSolver::stop_lowest(const Plan& plan, std::span<const Obstacle> obstacles, double h) {
+  double lowest = std::numeric_limits<double>::infinity();
+  inside_.clear();
+  for (const Obstacle& obstacle : obstacles)
+    for (std::size_t k = 0; k < x_.size(); ++k) {
+      if (inverse_mass_[k] == 0.0 || u_[k] == free_u_[k]) continue;
+      const double radius = plan.radius[plan.surface.points[k]];
+      const Vec3 end = x_[k] + h * u_[k] - obstacle.offset_at(h);
+      const Gap gap = gap_to(*obstacle.collider, radius, end);
+      if (gap.distance >= -contact_tolerance(end)) continue;
+      inside_.push_back({static_cast<Index>(k), gap_to(*obstacle.collider, radius, x_[k] - obstacle.offset_at(0.0)).distance,
+                         -gap.distance / h * gap.normal});
+      lowest = std::min(lowest, inside_.back().start);
+    }
+  for (const Inside& point : inside_) {
+    if (point.start > lowest + 0.5 * plan.surface.max_thickness || inverse_mass_[point.k] == 0.0) continue;
+    u_[point.k] += point.change;
+    inverse_mass_[point.k] = 0.0;
+    stopped_.push_back(point.k);
+  }
+  return !inside_.empty();
 }
 
 // The velocity after an impact is e times that with which the path first touches. The velocities of the method that belong to positions are

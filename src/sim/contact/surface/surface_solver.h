@@ -46,6 +46,8 @@ class SurfaceSolver {
   void start_frame(const Plan& plan);
   void mark_points();
   void add_obstacle(const Plan& plan, const Obstacle& obstacle, Index number, double h, const Motion& motion);
+  bool prevent_impacts(const Plan& plan, std::span<const Obstacle> obstacles, double h);
+  bool stop_lowest(const Plan& plan, std::span<const Obstacle> obstacles, double h);
   void find_rebounds(const Plan& plan, const Field& v0, double h, const Motion& motion);
   void write(const Plan& plan, const Field& v0, double h, Motion& motion);
   SuppliedWork supplied_work(const Plan& plan, const Motion& motion) const;
@@ -63,6 +65,13 @@ class SurfaceSolver {
   std::vector<Vec3> free_u_, u_;      // [m/s], of the path without and with this contact; the latter of obstacles, too
   std::vector<Vec3> velocity_;        // [m/s], at the end, of obstacles, too
   std::vector<char> is_marked_;
+  std::vector<Index> stopped_;  // points at obstacles, which impacts do not move any more
+  struct Inside {
+    Index k = 0;
+    double start = 0.0;  // [m], the distance from the obstacle at the start
+    Vec3 change{0.0};    // [m/s], of its path, to its surface
+  };
+  std::vector<Inside> inside_;  // points in obstacles
 };
 
 }  // namespace hooke

@@ -60,7 +60,8 @@ Vec3 center_in(int dimensions, const ForceValues& values) { return {values[0], v
 
 // Position of point i relative to the center.
 Vec3 offset_from(const Plan& plan, const ForceValues& values, const double* x, Index i) {
-  return vector_at(plan, x, i) - center_in(plan.dimensions, values);
+  const Index center = plan.force_data.center;
+  return vector_at(plan, x, i) - (center == no_index ? center_in(plan.dimensions, values) : vector_at(plan, x, center));
 }
 
 void add(const Plan& plan, const ForceValues& values, double, const double* x, const double*, double* f) {
@@ -118,11 +119,26 @@ double potential(const Plan& plan, const ForceValues& values, double, const doub
   return energy;
 }
 
+// Of a center that moves.
+double power(const Plan& plan, const ForceValues& values, double, const double* x, const double* v) {
+  if (plan.force_data.center == no_index) return 0.0;
+  const Law law = law_of(values);
+  Vec3 force(0.0);
+  for (Index i = 0; i < plan.points; ++i) {
+    const Vec3 offset = offset_from(plan, values, x, i);
+    if (plan.inverse_mass[i] != 0.0) force -= plan.mass[i] * values[3] * law.over_distance(glm::length(offset)) * offset;
+  }
+  return glm::dot(force, vector_at(plan, v, plan.force_data.center));
+}
+
 // Through the core, or past the center at the distance that the angular momentum allows. Up to p = -1 the acceleration increases with the
 // distance, in the core too, and nothing is steeper there.
 Passage passage(const ForceValues& values, const PassingPoint& point) {
   const Law law = law_of(values);
   if (law.power <= -1.0) return {};
+  // a free center may be anywhere
+  const Index at = point.system.center_point ? point.system.index_of(*point.system.center_point) : no_index;
+  if (at != no_index && !point.system.points()[at].nailed) return {};
   const Vec3 center = center_in(point.system.dimensions, values), offset = point.position - center;
   const double r = glm::length(offset), strength = values[3];
   const double far = 0.5 * glm::dot(point.velocity, point.velocity) + point.elastic + point.gravity * r;
@@ -169,6 +185,7 @@ constinit const ForceTerm center_force{
     .bound = bound,
     .add_tangent = add_tangent,
     .potential = potential,
+    .power = power,
     .cost = [](const Plan&, const ForceValues& values) { return cost_of_power_law(values[4], 1.0); },
     .potential_at = potential_at,
     .passage = passage,

@@ -1,5 +1,5 @@
 // a = -(p X + q V) / M, the same for every point: X the center of mass of the points that are not nailed relative to a target, V its
-// velocity, M their mass.
+// velocity, M their mass. A point that is the target is none of them.
 #include <glm/geometric.hpp>
 
 #include "sim/forces/force_tangent.h"
@@ -15,8 +15,9 @@ constexpr ForceParameter numbers[] = {
     {"damping", "Damping", "N s/m", 0.0, 1000.0, 2.0},
 };
 
-// 0 for nailed points. A held point counts.
+// 0 for nailed points and the target. A held point counts.
 double counted_mass(const Plan& plan, Index i) {
+  if (i == plan.force_data.center) return 0.0;
   if (plan.hand.held == i) return plan.hand.held_mass;
   return plan.inverse_mass[i] == 0.0 ? 0.0 : plan.mass[i];
 }
@@ -36,7 +37,9 @@ Vec3 mean(const Plan& plan, const double* field, double mass) {
 
 // X
 Vec3 offset_of(const Plan& plan, const ForceValues& values, const double* x, double mass) {
-  return mean(plan, x, mass) - Vec3(values[0], values[1], plan.dimensions == 3 ? values[2] : 0.0);
+  const Index center = plan.force_data.center;
+  return mean(plan, x, mass) -
+         (center == no_index ? Vec3(values[0], values[1], plan.dimensions == 3 ? values[2] : 0.0) : vector_at(plan, x, center));
 }
 
 void add(const Plan& plan, const ForceValues& values, double, const double* x, const double* v, double* f) {
@@ -49,7 +52,7 @@ void add(const Plan& plan, const ForceValues& values, double, const double* x, c
 // M^-1/2 (df/dx) M^-1/2 = -p / M^2 w w^T, w_i = sqrt(m_i) for the free points and 0 for others
 ForceBound bound(const System& system, const Plan&, const ForceValues& values, double) {
   double mass = 0.0;
-  for (const Point& point : system.points()) mass += point.nailed ? 0.0 : point.mass;
+  for (const Point& point : system.points()) mass += point.nailed || point.id == system.center_point ? 0.0 : point.mass;
   if (mass == 0.0) return {};
   return {.stiffness = values[3] / mass, .rate = values[4] / mass};
 }
@@ -66,13 +69,16 @@ double potential(const Plan& plan, const ForceValues& values, double, const doub
   return 0.5 * values[3] * glm::dot(offset, offset);
 }
 
-double power(const Plan& plan, const ForceValues& values, double, const double*, const double* v) {
+double power(const Plan& plan, const ForceValues& values, double, const double* x, const double* v) {
   const double mass = total_mass(plan);
   if (mass == 0.0) return 0.0;
   Vec3 free_momentum(0.0);
   for (Index i = 0; i < plan.points; ++i)
-    if (plan.inverse_mass[i] != 0.0) free_momentum += plan.mass[i] * vector_at(plan, v, i);
-  return -values[4] * glm::dot(mean(plan, v, mass), free_momentum) / mass;
+    if (plan.inverse_mass[i] != 0.0 && i != plan.force_data.center) free_momentum += plan.mass[i] * vector_at(plan, v, i);
+  const double by_target = plan.force_data.center == no_index
+                               ? 0.0
+                               : values[3] * glm::dot(offset_of(plan, values, x, mass), vector_at(plan, v, plan.force_data.center));
+  return -values[4] * glm::dot(mean(plan, v, mass), free_momentum) / mass - by_target;
 }
 
 }  // namespace
