@@ -119,6 +119,18 @@ TEST(MuscleSpeed, ChangesWithoutAJump) {
   EXPECT_NEAR(scene.system.rest_length_of(spring, 5.0), length, 1e-12);
 }
 
+TEST(MuscleSpeed, OfNowDoesNotChangeThePhaseOfThen) {
+  Lab lab(with_spring(R"(, "muscle": {"amplitude": 0.3, "frequency": 1.7})"));
+  const auto muscle_time = [&] { return lab.scene().system.muscles.at(lab.scene().state.time); };
+  run(lab, 30);
+  lab.submit(Command(SetParameter{find_parameter("muscle_speed"), 3.0}));
+  run(lab, 30);
+  submit_and_apply(lab, GoToTime{0.25});
+  EXPECT_NEAR(muscle_time(), lab.scene().state.time, 1e-12);
+  submit_and_apply(lab, GoToTime{0.8});
+  EXPECT_NEAR(muscle_time(), 0.5 + 3.0 * (lab.scene().state.time - 0.5), 1e-12);
+}
+
 // ---- the energy balance
 
 // What the method gained, relative to the work of the muscles.
