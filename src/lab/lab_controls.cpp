@@ -5,6 +5,7 @@
 #include "base/overloaded.h"
 #include "lab/lab.h"
 #include "lab/reset_parameters.h"
+#include "scene/parameters.h"
 #include "sim/control/automatic.h"
 
 namespace hooke {

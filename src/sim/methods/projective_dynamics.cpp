@@ -24,21 +24,12 @@
 namespace hooke {
 namespace {
 
+// Of the packed springs.
 std::vector<std::pair<Index, Index>> ends_of_springs(const Plan& plan) {
-  std::vector<std::pair<Index, Index>> ends;
+  std::vector<std::pair<Index, Index>> ends(plan.springs);
   for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) ends.emplace_back(run.first + e, run.second + e);
+    for (Index e = 0; e < run.count; ++e) ends[run.begin + e] = {run.first + e, run.second + e};
   return ends;
-}
-
-// [N/m] and [N s/m], that no derivative of the force exceeds; of a cubic one up to 100 % strain.
-std::pair<double, double> bounds_of(const Plan& plan, Index packed) {
-  const LawSprings& laws = plan.spring.laws;
-  if (!laws.empty() && laws.of_packed[packed] != no_index) {
-    const LawSpring& spring = laws.springs[laws.of_packed[packed]];
-    return {max_stiffness(spring.law, spring.stiffness, spring.rest_length), spring.damping};
-  }
-  return {plan.spring.stiffness[packed], plan.has_dashpots() ? plan.spring.damping[packed] : 0.0};
 }
 
 // A, and its factor.
@@ -74,16 +65,18 @@ class GlobalMatrix final : public Structure {
   }
 
  private:
-  // Of the springs in their order, and of the points. The hand's pull k |sum w x - target|^2 / 2 is bounded by k sum w x^2 / 2.
+  // Of the packed springs, with stiffnesses that no derivative of a force exceeds (of a cubic one up to 100 % strain), and of the points.
+  // The hand's pull k |sum w x - target|^2 / 2 is bounded by k sum w x^2 / 2.
   void set_weights(const Plan& plan, double h, double phi) {
     const std::size_t springs = ends_.size();
     weights_.resize(springs + 2 * plan.points);
-    std::size_t s = 0;
-    for (const SpringRun& run : plan.spring.runs)
-      for (Index e = 0; e < run.count; ++e, ++s) {
-        const auto [stiffness, damping] = bounds_of(plan, run.begin + e);
-        weights_[s] = phi * (h * stiffness + damping);
-      }
+    const LawSprings& laws = plan.spring.laws;
+    for (std::size_t s = 0; s < springs; ++s) {
+      const LawSpring* law = laws.empty() || laws.of_packed[s] == no_index ? nullptr : &laws.springs[laws.of_packed[s]];
+      const double k = law != nullptr ? max_stiffness(law->law, law->stiffness, law->rest_length) : plan.spring.stiffness[s];
+      const double d = law != nullptr ? law->damping : plan.has_dashpots() ? plan.spring.damping[s] : 0.0;
+      weights_[s] = phi * (h * k + d);
+    }
     std::ranges::copy(plan.mass, weights_.begin() + springs);
     std::ranges::copy(plan.inverse_mass, weights_.begin() + springs + plan.points);
     if (!plan.hand.pull) return;
