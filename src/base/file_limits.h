@@ -19,6 +19,7 @@ inline constexpr std::uint64_t max_values_per_item = 1'000'000;  // in one point
 inline constexpr std::uint64_t max_nesting = 32;
 inline constexpr std::uint32_t max_picture_side = 8192;  // [px]
 inline constexpr int max_substeps = 1'000'000;
+inline constexpr int max_iterations = 10'000;  // per substep
 inline constexpr int newest_scene_version = 1;
 
 // The table that `hooke --limits` prints.

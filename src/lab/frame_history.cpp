@@ -16,7 +16,7 @@ void FrameHistory::clear_if_points_changed(const System& system) {
 }
 
 void FrameHistory::record(const System& system, const State& state, const Accuracy& accuracy, bool continues) {
-  timeline_.record(state, continues);
+  timeline_.record(state, continues, system.muscles.at(state.time));
   traces_.record(timeline_, system, state, accuracy);
 }
 

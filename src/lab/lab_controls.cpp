@@ -5,6 +5,7 @@
 #include "base/overloaded.h"
 #include "lab/lab.h"
 #include "lab/reset_parameters.h"
+#include "scene/parameters.h"
 #include "sim/control/automatic.h"
 
 namespace hooke {
@@ -64,7 +65,12 @@ void Lab::go_to_timeline_index(std::size_t moment, Gesture gesture) {
   clock_.set_running(false);
   playback_.stop();
   const auto state = frame_history_.timeline().at(moment);
-  if (state->time != scene_.state.time) edit(GoToState{state}, gesture);
+  if (state->time == scene_.state.time) return;
+  edit(GoToState{state}, gesture);
+  // muscles and winches at the phase that they had, whatever their speed is now
+  const MuscleClock& muscles = scene_.system.muscles;
+  if (const double then = frame_history_.timeline().muscle_time(moment); muscles.at(state->time) != then)
+    edit(RestoreParameter{find_parameter("muscle_offset"), then - muscles.rate() * state->time}, gesture);
 }
 
 void Lab::go_to_history_step(std::size_t done) {

@@ -9,9 +9,9 @@ std::size_t bytes_of(const State& state) { return sizeof(State) + (state.positio
 
 }  // namespace
 
-void Timeline::record(const State& state, bool continues) {
+void Timeline::record(const State& state, bool continues, double muscle_time) {
   while (!empty() && last_time() >= state.time) drop(true);
-  states_.push_back({std::make_shared<const State>(state), continues});
+  states_.push_back({std::make_shared<const State>(state), continues, muscle_time});
   bytes_ += bytes_of(state);
   while (count() > 1 && (count() > max_states || bytes_ > max_bytes)) drop(false);
 }

@@ -16,8 +16,8 @@ class Timeline {
   static constexpr std::size_t max_states = 2000, max_bytes = std::size_t{100} << 20;
 
   // Appends a state. States at its time or later are discarded: the run continues differently from there. `continues`: it follows from the
-  // state before it by a frame of the simulation.
-  void record(const State& state, bool continues = true);
+  // state before it by a frame of the simulation. `muscle_time`: that of the muscles (MuscleClock).
+  void record(const State& state, bool continues = true, double muscle_time = 0.0);
   void clear();
 
   bool empty() const { return states_.empty(); }
@@ -28,6 +28,7 @@ class Timeline {
   std::shared_ptr<const State> at(std::size_t moment) const { return states_[moment].state; }
   // Whether it follows from the state before it: false after a jump in time.
   bool continues(std::size_t moment) const { return states_[moment].continues; }
+  double muscle_time(std::size_t moment) const { return states_[moment].muscle_time; }
   // Index of the last state at or before this time; 0 if all are later. The timeline must not be empty.
   std::size_t find(double time) const;
 
@@ -35,6 +36,7 @@ class Timeline {
   struct Moment {
     std::shared_ptr<const State> state;
     bool continues;
+    double muscle_time;
   };
   void drop(bool newest);
 

@@ -55,6 +55,7 @@ bool has_muscles(const Scene& scene) {
 }
 
 bool has_automatic_method(const Scene& scene) { return is_automatic(scene.settings); }
+bool has_iterations(const Scene& scene) { return scene.settings.integrator->iterates; }
 
 // Rows are formatted as a table, so clang-format is off.
 // clang-format off
@@ -68,6 +69,11 @@ constexpr std::array rows{
               .kind = Kind::Integer, .min = 1, .max = 1000, .default_value = 20, .physical = {.min = 1, .max = max_substeps}, .logarithmic = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return double(s.settings.substeps); },
               .write = [](Scene& s, double value) { s.settings.substeps = int(value); }},
+    Parameter{.name = "iterations", .field = "simulation.iterations", .group = parameter_group::simulation, .label = "Iterations", .unit = "",
+              .description = "Of projective dynamics and of vertex block descent in each substep: more are slower and closer to implicit Euler.",
+              .kind = Kind::Integer, .min = 1, .max = 200, .default_value = 10, .physical = {.min = 1, .max = max_iterations}, .logarithmic = true, .omit_if_default = true,
+              .scope = Scope::Setting, .applies = has_iterations, .read = [](const Scene& s) { return double(s.settings.iterations); },
+              .write = [](Scene& s, double value) { s.settings.iterations = int(value); }},
     Parameter{.name = "tolerance", .field = "", .group = parameter_group::simulation, .label = "Tolerance", .unit = "m/s",
               .description = "Of the automatic method: RMS error of the positions [m] that a simulated second may add.",
               .min = 1e-10, .max = 0.1, .default_value = default_automatic_tolerance, .physical = positive, .logarithmic = true, .scope = Scope::Setting, .applies = has_automatic_method,
@@ -274,6 +280,11 @@ constexpr std::array rows{
               .min = 0, .max = 1e4, .default_value = 0, .physical = not_negative, .logarithmic = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.damping; },
               .write = [](Scene& s, double value) { s.defaults.damping = value; }},
+    Parameter{.name = "new_cables", .field = "defaults.cables", .group = parameter_group::new_parts, .label = "New springs are cables", .unit = "",
+              .description = "Whether springs that are added from now on only pull.",
+              .kind = Kind::Switch, .default_value = 0, .omit_if_default = true,
+              .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.cables ? 1.0 : 0.0; },
+              .write = [](Scene& s, double value) { s.defaults.cables = value != 0.0; }},
     Parameter{.name = "new_mass", .field = "defaults.mass", .group = parameter_group::new_parts, .label = "New points' mass", .unit = "kg",
               .description = "Mass of points that are added from now on; 0: chosen from the points of the scene.",
               .min = 0, .max = 1e3, .default_value = 0, .physical = not_negative, .logarithmic = true, .zero_text = "as the others", .omit_if_default = true,

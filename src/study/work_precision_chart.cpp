@@ -17,7 +17,7 @@ constexpr int panel_width = 920, panel_height = 640, header_height = 76;
 // Decades of the relative error in the chart.
 constexpr int worst_decade = 0, best_decade = -13;
 
-// Okabe and Ito 2008, without their yellow, which prints badly; colors repeat with dashed lines.
+// Okabe and Ito 2008, without their yellow, which prints badly; colors repeat with other dashes.
 constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#000000", "#CC79A7", "#E69F00", "#56B4E9"};
 constexpr std::array markers{7, 5, 9, 13, 11, 15, 6, 4, 8, 12, 10, 14, 2, 1};
 
@@ -94,7 +94,8 @@ void print_panel(std::string& script, const ProblemRecord& record, std::size_t p
   for (const Line& line : lines) {
     script += ", \\\n  " + data + line.data;
     append_formatted(script, " with linespoints linewidth 1.8 dashtype %d pointtype %d pointsize 0.9 linecolor rgb '%s' title ",
-                     line.style < colors.size() ? 1 : 2, markers[line.style % markers.size()], colors[line.style % colors.size()]);
+                     static_cast<int>(1 + line.style / colors.size()), markers[line.style % markers.size()],
+                     colors[line.style % colors.size()]);
     script += gnuplot_text(line.method);
   }
   script += '\n';

@@ -119,6 +119,27 @@ TEST(MuscleSpeed, ChangesWithoutAJump) {
   EXPECT_NEAR(scene.system.rest_length_of(spring, 5.0), length, 1e-12);
 }
 
+TEST(MuscleSpeed, OfNowDoesNotChangeThePhaseOfThen) {
+  Lab lab(with_spring(R"(, "muscle": {"amplitude": 0.3, "frequency": 1.7})"));
+  const auto muscle_time = [&] { return lab.scene().system.muscles.at(lab.scene().state.time); };
+  run(lab, 30);
+  lab.submit(Command(SetParameter{find_parameter("muscle_speed"), 3.0}));
+  run(lab, 30);
+  submit_and_apply(lab, GoToTime{0.25});
+  EXPECT_NEAR(muscle_time(), lab.scene().state.time, 1e-12);
+  submit_and_apply(lab, GoToTime{0.8});
+  EXPECT_NEAR(muscle_time(), 0.5 + 3.0 * (lab.scene().state.time - 0.5), 1e-12);
+}
+
+TEST(Ropes, CanBeCables) {
+  for (const char* rope : {R"({"type": "rope", "from": [0, 0, 0], "to": [1, 0, 0], "points": 5, "mass": 1, "stiffness": 100, "cable": 1})",
+                           R"({"type": "hanging_rope", "cable": 1})"}) {
+    const Scene scene = parse(std::string(R"({"hooke": 1, "generators": [)") + rope + "]}");
+    for (const Spring& spring : scene.system.springs()) EXPECT_EQ(spring.law.value_or(SpringLaw{}).force, SpringForce::Cable) << rope;
+    EXPECT_EQ(parse(format_scene(scene)).system, scene.system);
+  }
+}
+
 // ---- the energy balance
 
 // What the method gained, relative to the work of the muscles.

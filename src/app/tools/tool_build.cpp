@@ -19,7 +19,8 @@ PlacedSpring new_spring(PointId first, const Vec3& from, PointId second, const V
                      .second = second,
                      .stiffness = defaults.stiffness,
                      .damping = defaults.damping,
-                     .rest_length = glm::distance(from, to)}};
+                     .rest_length = glm::distance(from, to),
+                     .law = defaults.cables ? std::optional(SpringLaw{.force = SpringForce::Cable}) : std::nullopt}};
 }
 
 // Attaches a point to the one under the cursor, or to a new one there. One step of the history. Returns the other end; nothing if it is the

@@ -19,14 +19,16 @@ class ShapeBuilder {
     return network_.points.size() - 1;
   }
 
-  void add_spring(std::size_t i, std::size_t j, double stiffness, double damping, SpringFamily family = SpringFamily::None) {
+  void add_spring(std::size_t i, std::size_t j, double stiffness, double damping, SpringFamily family = SpringFamily::None,
+                  bool is_cable = false) {
     network_.springs.push_back({.id = SpringId{static_cast<std::uint32_t>(network_.springs.size())},
                                 .first = network_.points[i].id,
                                 .second = network_.points[j].id,
                                 .family = family,
                                 .stiffness = stiffness,
                                 .damping = damping,
-                                .rest_length = glm::length(network_.position[j] - network_.position[i])});
+                                .rest_length = glm::length(network_.position[j] - network_.position[i]),
+                                .law = is_cable ? std::optional(SpringLaw{.force = SpringForce::Cable}) : std::nullopt});
   }
 
   void add_face(std::size_t a, std::size_t b, std::size_t c) {

@@ -1,15 +1,20 @@
 // A rope that hangs from one end or both.
 #include "scene/shapes/builder.h"
 #include "scene/shapes/hanging_line.h"
+#include "scene/shapes/rope.h"
 #include "scene/shapes/rows.h"
 
 namespace hooke {
 namespace {
 
 constexpr ShapeNumber numbers[] = {
-    {"length", "Length", "m", 0.05, 20.0, 1.2},        {"span", "End distance", "m", 0.01, 20.0, 0.9},
-    {"points", "Points", "", 2, 500, 32, true},        {"mass", "Mass", "kg", 0.001, 100.0, 0.15},
-    {"stiffness", "Stiffness", "N/m", 0.1, 1e5, 60.0}, {"damping", "Dashpots", "N s/m", 0.0, 10.0, 0.01},
+    {"length", "Length", "m", 0.05, 20.0, 1.2},
+    {"span", "End distance", "m", 0.01, 20.0, 0.9},
+    {"points", "Points", "", 2, 500, 32, true},
+    {"mass", "Mass", "kg", 0.001, 100.0, 0.15},
+    {"stiffness", "Stiffness", "N/m", 0.1, 1e5, 60.0},
+    {"damping", "Dashpots", "N s/m", 0.0, 10.0, 0.01},
+    cable_number,
 };
 
 ElementCount element_count(const Shape& shape) {
@@ -28,7 +33,7 @@ void make(const Shape& shape, Network& network) {
                       0.25 * shape["length"] / n, is_end_nailed(shape, is_first, is_last));
     if (i > 0)
       builder.add_spring(builder.first() + static_cast<std::size_t>(i) - 1, builder.first() + static_cast<std::size_t>(i),
-                         n * shape["stiffness"], n * shape["damping"]);
+                         n * shape["stiffness"], n * shape["damping"], SpringFamily::None, shape["cable"] != 0.0);
   }
 }
 

@@ -13,14 +13,20 @@ namespace {
 constexpr ShapeVector vectors[] = {{"from"}, {"to"}};
 
 constexpr auto numbers = [] {
-  std::array<ShapeNumber, fabric_numbers + 1> all{};
-  *std::ranges::copy(make_fabric_numbers(MassModel::Equal), all.begin()).out = {
+  std::array<ShapeNumber, fabric_numbers + 2> all{};
+  const auto rest = std::ranges::copy(make_fabric_numbers(MassModel::Equal), all.begin()).out;
+  rest[0] = {
       .name = "points", .min = 2, .max = 500, .default_value = not_given, .integer = true, .is_required = true, .max_integer = max_points};
+  rest[1] = cable_number;
   return all;
 }();
 
 Rope rope_of(const Shape& shape) {
-  return {.from = shape.vectors[0], .to = shape.vectors[1], .points = shape.count("points"), .fabric = fabric_of(shape)};
+  return {.from = shape.vectors[0],
+          .to = shape.vectors[1],
+          .points = shape.count("points"),
+          .fabric = fabric_of(shape),
+          .is_cable = shape["cable"] != 0.0};
 }
 
 std::optional<ShapeError> check(const Shape& shape) {
@@ -66,7 +72,7 @@ void generate(const Rope& rope, Network& network) {
     const double segment_length = glm::length(network.position[i + 1] - network.position[i]);
     const double stiffness = fabric.stiffness_per_strain ? *fabric.stiffness_per_strain / segment_length : weight * fabric.stiffness;
     const double damping = fabric.damping_per_length ? *fabric.damping_per_length * segment_length : weight * fabric.damping;
-    builder.add_spring(i, i + 1, stiffness, damping);
+    builder.add_spring(i, i + 1, stiffness, damping, SpringFamily::None, rope.is_cable);
   }
 }
 

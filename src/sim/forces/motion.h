@@ -82,6 +82,7 @@ struct Workspace {
   std::vector<Field> fields;
   std::optional<double> tolerance;  // [m], from the settings; none: default_tolerance
   double min_step = 0.0;            // [s], the shortest step that an adaptive method takes
+  int iterations = 1;               // from the settings
   std::unique_ptr<Structure> structure;
   DashpotSweeps dashpots;
 

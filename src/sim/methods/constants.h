@@ -42,6 +42,9 @@ inline constexpr double armijo = 1e-4, potential_round_off = 1e-14, min_newton_s
 // [1], rounding of a position.
 inline constexpr double position_round_off = 2e-16;
 
+// [1], of Chebyshev's acceleration (H. Wang, A Chebyshev semi-iterative approach, SIGGRAPH Asia 2015).
+inline constexpr double max_spectral_radius = 0.95;
+
 // Of a factor: 2.4 GB.
 inline constexpr std::int64_t max_factor_entries = 300'000'000;
 

@@ -41,9 +41,10 @@ enum class EnergyTrend { Grows, Drifts, Bounded, Falls };
 
 // How a step solves its implicit equations.
 enum class ImplicitSolve {
-  None,       // there are none, or they are solved spring by spring
-  Once,       // linearized at the start of the step: one linear system
-  Iterative,  // by Newton's method, to a tolerance or to its limit of iterations
+  None,         // there are none, or they are solved spring by spring or point by point
+  Once,         // linearized at the start of the step: one linear system
+  Iterative,    // by Newton's method, to a tolerance or to its limit of iterations
+  Prefactored,  // those of the springs alone, by a given number of iterations with one matrix
 };
 
 // As text, for menus and documents.
@@ -66,7 +67,7 @@ struct Integrator {
   std::string short_name() const { return std::string(label.substr(0, label.find(" ("))); }
   // Whether listed forces are part of an implicit system. If not, they limit the step also of a method that is otherwise stable at any
   // step.
-  bool is_implicit() const { return implicit_solve != ImplicitSolve::None; }
+  bool is_implicit() const { return implicit_solve == ImplicitSolve::Once || implicit_solve == ImplicitSolve::Iterative; }
 
   std::string_view id;       // on the command line and in files
   std::string_view label;    // in the menu
@@ -85,6 +86,8 @@ struct Integrator {
   bool for_production;
   // [1], by how much of a step its velocity is behind its position: half a step where x' = x + h v', and -1/2 where x' = x + h v.
   double velocity_lag = 0.0;
+  // Whether it repeats its step Settings::iterations times.
+  bool iterates = false;
   // Whether dashpots are solved exactly, apart from all other forces: with second order only while they decay little within a step.
   bool splits_dashpots = false;
   // Called once per frame, before its first step of h: sizes the workspace and computes what is common to all steps. May be null.

@@ -13,6 +13,7 @@
 #include "sim/forces/forces.h"
 #include "sim/forces/kick.h"
 #include "sim/forces/spring_laws.h"
+#include "sim/methods/linear_spring.h"
 #include "sim/methods/rows.h"
 
 namespace hooke {
@@ -51,14 +52,6 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   drift(motion, h);
 }
 
-// x' = x + h v',  v' = ((E - phi q) v - phi omega^2 x) / (1 + phi (h omega^2 + lambda))
-Amplification amplification(const Oscillator& oscillator) {
-  const auto [whole_decay, phi] = kick_over(oscillator.h_drag, 1.0);
-  const double decay = whole_decay - phi * oscillator.h_rate;
-  const double denominator = 1.0 + phi * (oscillator.h_omega_squared + oscillator.h_lambda);
-  return {.trace = 1.0 + (decay - phi * oscillator.h_omega_squared) / denominator, .determinant = decay / denominator};
-}
-
 }  // namespace
 
 constinit const Integrator xpbd{
@@ -82,7 +75,7 @@ constinit const Integrator xpbd{
     .velocity_lag = 0.5,
     .prepare = prepare,
     .step = step,
-    .amplification = amplification,
+    .amplification = amplification_of_linear_spring,
 };
 
 }  // namespace hooke

@@ -14,6 +14,7 @@ struct Settings {
   const Integrator* integrator = &default_integrator();
   double frame_rate = 60.0;  // [1/s], > 0: a frame is 1 / frame_rate of simulated time
   int substeps = 20;         // per frame, >= 1
+  int iterations = 10;       // per substep, >= 1, of methods whose iterations are a parameter
   double speed = 1.0;        // simulated seconds per real second, > 0
   // [m], > 0: local error allowed a step of an adaptive method; with `auto`, the error that a simulated second may add
   std::optional<double> tolerance;

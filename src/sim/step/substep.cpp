@@ -47,6 +47,7 @@ void Substep::begin_frame(Plan& plan, const Settings& settings, Motion& motion) 
 
   work_.tolerance = settings.tolerance;
   work_.min_step = min_step_fraction * h_;
+  work_.iterations = settings.iterations;
   // where springs have a largest length or touch each other, nothing but a measurement tells how much damping may have dissipated
   const bool measures_damping = settings.measures_damping || plan.touches_itself() || !plan.spring.max_length.empty();
   works_.begin_frame(plan, motion, method_->velocity_lag, work_.dashpots, measures_damping);

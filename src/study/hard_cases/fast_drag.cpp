@@ -104,7 +104,7 @@ int count_through_slab(const Integrator& method, int substeps) {
 }
 
 std::vector<int> substeps_of(const Integrator& method, const TestNetwork& sheet) {
-  if (method.stability == Stability::EachSpring) return {16, 64, 256, 1024};
+  if (method.stability == Stability::EachSpring && !method.iterates) return {16, 64, 256, 1024};
   if (is_stable_at_any_step(method)) {
     // production methods are refined until they are accurate
     if (!method.for_production || method.order == 2) return {1, 4};

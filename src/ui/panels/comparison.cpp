@@ -20,11 +20,10 @@
 namespace hooke {
 namespace {
 
-// The lines have the colors of plots; the methods after the first six repeat them dashed. The markers have as many corners as the style
-// says: 0 is a circle.
+// The lines have the colors of plots; the methods after the first six repeat them dashed, those after twelve with short dashes. The markers
+// have as many corners as the style says: 0 is a circle.
 constexpr std::size_t color_count = std::size(palette::inks);
 ImU32 color_of(std::size_t method) { return palette::inks[method % color_count]; }
-bool is_dashed(std::size_t method) { return method >= color_count; }
 
 void draw_marker(ImDrawList& list, ImVec2 at, std::size_t method) {
   constexpr std::array corners{0, 4, 3, 5};
@@ -32,8 +31,9 @@ void draw_marker(ImDrawList& list, ImVec2 at, std::size_t method) {
 }
 
 void draw_segment(ImDrawList& list, ImVec2 from, ImVec2 to, std::size_t method) {
-  if (!is_dashed(method)) return list.AddLine(from, to, color_of(method), units(1.5));
-  const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy), dash = units(5.0);
+  const std::size_t repetition = method / color_count;
+  if (repetition == 0) return list.AddLine(from, to, color_of(method), units(1.5));
+  const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy), dash = units(5.0f / static_cast<float>(repetition));
   for (float at = 0.0f; at < length; at += 2.0f * dash) {
     const float s = at / length, t = std::min(at + dash, length) / length;
     list.AddLine({from.x + s * dx, from.y + s * dy}, {from.x + t * dx, from.y + t * dy}, color_of(method), units(1.5));

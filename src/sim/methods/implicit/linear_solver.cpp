@@ -39,11 +39,11 @@ void LinearSolver::copy_to_factor() {
 
 bool LinearSolver::factorize() {
   factor_.set_zero();
-  dimensions_ == 2 ? copy_to_factor<2>() : copy_to_factor<3>();
+  dimensions_ == 1 ? copy_to_factor<1>() : dimensions_ == 2 ? copy_to_factor<2>() : copy_to_factor<3>();
   return factor_.factorize();
 }
 
-void LinearSolver::solve(Field& b) {
+void LinearSolver::solve(std::span<double> b) {
   const std::size_t n = order_.size();
   for (int c = 0; c < dimensions_; ++c)
     for (std::size_t i = 0; i < n; ++i) permuted_[dimensions_ * order_[i] + c] = b[c * n + i];

@@ -35,7 +35,7 @@ class LinearSolver {
   bool factorize();
 
   // b becomes A^-1 b; in the Plan's layout.
-  void solve(Field& b);
+  void solve(std::span<double> b);
 
  private:
   Block block(std::size_t index) { return {matrix_.data() + index * dimensions_ * dimensions_, dimensions_}; }
