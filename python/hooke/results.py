@@ -118,7 +118,7 @@ class Run:
         return self._lab
 
     @overload
-    def gradient(self, of: Weights, with_respect_to: str, *, progress: bool | None = None) -> Array: ...
+    def gradient(self, of: Weights, with_respect_to: str, *, progress: bool | None = None) -> Array: ...  # type: ignore[misc]
     @overload
     def gradient(self, of: Weights, with_respect_to: Sequence[str], *, progress: bool | None = None) -> dict[str, Array]: ...
 
@@ -143,11 +143,11 @@ class Run:
         given = of if isinstance(of, tuple) else (of, None)
         if len(given) != 2:
             raise UsageError("of: must be weights, or a pair of them")
-        weights = [self._weights(name, value) for name, value in zip(("of positions", "of velocities"), given)]
+        positions, velocities = (self._weights(name, value) for name, value in zip(("of positions", "of velocities"), given))
         frame_rate = self._start.frame_rate
         frames = [round((time - self._start.time) * frame_rate) for time in self.time]
         with bar("gradient", progress) as shown:
-            found = _hooke.gradient(self._start, round(self.seconds * frame_rate), frames, *weights, shown)
+            found = _hooke.gradient(self._start, round(self.seconds * frame_rate), frames, positions, velocities, shown)
         if found["hash"] != self.hash:
             raise InputError("gradient: the run cannot be repeated: on_frame changed it, or its precision is single")
         return found[with_respect_to] if isinstance(with_respect_to, str) else {name: found[name] for name in chosen}
@@ -164,7 +164,8 @@ class Run:
         if self._points is None:
             return weights
         spread = np.zeros((len(weights), len(self._start.masses), 3))
-        np.add.at(spread, (slice(None), self._points), weights)
+        for number, point in enumerate(self._points):
+            spread[:, point] += weights[:, number]
         return spread
 
     def plot(self, ax: Any = None) -> Any:

@@ -1,8 +1,5 @@
 #include "sim/adjoint/gradient.h"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
 #include <string>
 
 #include "base/errors.h"
@@ -14,130 +11,110 @@
 namespace hooke {
 namespace {
 
-// What acts in the scene and has no derivative here, as scene files call it.
-std::optional<std::string> excluded_part(const Plan& plan, const System& system) {
-  if (!plan.forces.empty()) return "forces: " + std::string(plan.forces.front().term->id);
-  if (!plan.spring.laws.empty()) return "laws of springs";
-  if (!plan.spring.max_length.empty()) return "strain_limit";
-  if (system.grab || system.scripted_hand) return "hand";
-  return std::nullopt;
-}
-
 [[noreturn]] void refuse(const std::string& what) {
   throw InputError(what + ": gradients are of springs, dashpots, gravity, drag and nails only");
+}
+
+// What acts in the scene and has no derivative here, as scene files call it.
+void check_forces(const Plan& plan, const System& system) {
+  if (!plan.forces.empty()) refuse("forces: " + std::string(plan.forces.front().term->id));
+  if (!plan.spring.laws.empty()) refuse("laws of springs");
+  if (!plan.spring.max_length.empty()) refuse("strain_limit");
+  if (system.grab || system.scripted_hand) refuse("hand");
 }
 
 struct Place {
   Field x, v;
 };
 
-class GradientRun {
- public:
-  GradientRun(const System& system, const Settings& settings, const State& start, long frames)
-      : system_(system), settings_(settings), state_(start), plan_(make_plan(system)), frames_(frames) {
-    if (StepAdjoint::find(*settings.integrator) == nullptr)
-      throw InputError("integrator: " + std::string(settings.integrator->id) + ": gradients are of velocity_verlet and runge_kutta4 only");
-    if (const auto part = excluded_part(plan_, system)) refuse(*part);
+// At the start of every frame.
+std::vector<Place> run_frames(Plan& plan, const System& system, const Settings& settings, long frames, State& state,
+                              const std::function<void(long, long)>& progress) {
+  std::vector<Place> starts;
+  Frame frame;
+  Motion motion;
+  for (long n = 0; n < frames; ++n) {
+    pack(plan, state, motion);
+    starts.push_back({motion.x, motion.v});
+    frame.begin(plan, system, settings, state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, state);
+    const std::string when = " before " + quantity_text(state.time, "s");
+    if (frame.has_touched()) refuse("contact: something touches" + when);
+    if (!frame.broken().empty()) refuse("break_strain: a spring breaks" + when);
+    progress(n + 1, 2 * frames);
   }
+  return starts;
+}
 
-  void run(const std::function<void(long, long)>& progress) {
-    keep_start();
-    Frame frame;
-    for (long n = 0; n < frames_; ++n) {
-      frame.begin(plan_, system_, settings_, state_);
-      while (!frame.done()) frame.substep(plan_);
-      frame.end(plan_, state_);
-      const std::string when = " before " + quantity_text(state_.time, "s");
-      if (frame.has_touched()) refuse("contact: something touches" + when);
-      if (!frame.broken().empty()) refuse("break_strain: a spring breaks" + when);
-      keep_start();
-      progress(n + 1, 2 * frames_);
-    }
+void add_weights(const Plan& plan, const SampleWeights& weights, std::size_t sample, Adjoint& to) {
+  for (Index i = 0; i < plan.points; ++i) {
+    const std::size_t at = sample * static_cast<std::size_t>(plan.points) + static_cast<std::size_t>(i);
+    if (!weights.position.empty()) add_vector(plan, to.x, i, weights.position[at]);
+    if (!weights.velocity.empty()) add_vector(plan, to.v, i, weights.velocity[at]);
   }
+}
 
-  Gradient pass_back(const SampleWeights& weights, const std::function<void(long, long)>& progress) {
-    const std::size_t springs = plan_.spring.stiffness.size(), points = static_cast<std::size_t>(plan_.points);
-    const Field zero(motion_.x.size(), 0.0);
-    const std::vector<double> of_springs(springs, 0.0);
-    Adjoint to{zero, zero, of_springs, of_springs, of_springs, of_springs, std::vector<double>(points, 0.0)};
-    StepAdjoint adjoint(plan_, *settings_.integrator, settings_.substep());
-    std::size_t sample = weights.frames.size();
-    for (long n = frames_; n >= 0; --n) {
-      for (; sample > 0 && weights.frames[sample - 1] == n; --sample) add_weights(weights, sample - 1, to);
-      if (n == 0) break;
-      pass_frame(n - 1, adjoint, to);
-      progress(2 * frames_ - n + 1, 2 * frames_);
-    }
-    adjoint.finish(to);
-    return gradient_of(to);
+Gradient gradient_of(const Plan& plan, const System& system, const Adjoint& to) {
+  const std::vector<double> zeros(static_cast<std::size_t>(system.spring_count()), 0.0);
+  Gradient all{.stiffness = zeros, .rest_length = zeros, .damping = zeros, .mass = {}, .position = {}, .velocity = {}};
+  for (std::size_t s = 0; s < plan.spring.index.size(); ++s) {
+    const auto in_system = static_cast<std::size_t>(plan.spring.index[s]);
+    const bool is_on = system.is_on(system.springs()[in_system]);
+    all.rest_length[in_system] = to.rest_length[s];
+    all.stiffness[in_system] = is_on ? to.stiffness[s] : 0.0;
+    all.damping[in_system] = is_on && system.dashpots_on ? to.damping[s] : 0.0;
   }
-
- private:
-  void keep_start() {
-    pack(plan_, state_, motion_);
-    starts_.push_back({motion_.x, motion_.v});
+  for (Index i = 0; i < plan.points; ++i) {
+    all.mass.push_back(-to.inverse_mass[i] * plan.inverse_mass[i] * plan.inverse_mass[i]);
+    all.position.push_back(vector_at(plan, to.x, i));
+    all.velocity.push_back(plan.inverse_mass[i] == 0.0 ? Vec3(0.0) : vector_at(plan, to.v, i));
   }
-
-  void add_weights(const SampleWeights& weights, std::size_t sample, Adjoint& to) const {
-    for (Index i = 0; i < plan_.points; ++i) {
-      const std::size_t at = sample * static_cast<std::size_t>(plan_.points) + static_cast<std::size_t>(i);
-      if (!weights.position.empty()) add_vector(plan_, to.x, i, weights.position[at]);
-      if (!weights.velocity.empty() && plan_.inverse_mass[i] != 0.0) add_vector(plan_, to.v, i, weights.velocity[at]);
-    }
-  }
-
-  void pass_frame(long number, StepAdjoint& adjoint, Adjoint& to) {
-    const double h = settings_.substep();
-    const auto count = static_cast<std::size_t>(settings_.substeps);
-    motion_.x = starts_[static_cast<std::size_t>(number)].x;
-    motion_.v = starts_[static_cast<std::size_t>(number)].v;
-    motion_.acceleration_is_current = false;
-    if (settings_.integrator->prepare != nullptr) settings_.integrator->prepare(plan_, h, motion_, work_);
-    steps_.resize(count + 1);
-    for (std::size_t k = 0; k <= count; ++k) {
-      steps_[k] = {motion_.x, motion_.v};
-      if (k < count) settings_.integrator->step(plan_, motion_, work_, h);
-    }
-    for (std::size_t k = count; k-- > 0;) adjoint.pass(steps_[k].x, steps_[k].v, steps_[k + 1].x, to);
-  }
-
-  Gradient gradient_of(const Adjoint& to) const {
-    const auto springs = static_cast<std::size_t>(system_.spring_count()), points = static_cast<std::size_t>(plan_.points);
-    const std::vector<double> zeros(springs, 0.0);
-    Gradient all{
-        zeros, zeros, zeros, std::vector<double>(points), std::vector<Vec3>(points), std::vector<Vec3>(points), hash_state(state_)};
-    for (std::size_t s = 0; s < plan_.spring.index.size(); ++s) {
-      const auto in_system = static_cast<std::size_t>(plan_.spring.index[s]);
-      const Spring spring = system_.springs()[in_system];
-      all.rest_length[in_system] = to.rest_length[s];
-      if (system_.is_on(spring)) all.stiffness[in_system] = to.stiffness[s];
-      if (system_.is_on(spring) && system_.dashpots_on) all.damping[in_system] = to.damping[s];
-    }
-    for (Index i = 0; i < plan_.points; ++i) {
-      all.mass[i] = -to.inverse_mass[i] * plan_.inverse_mass[i] * plan_.inverse_mass[i];
-      all.position[i] = vector_at(plan_, to.x, i);
-      if (plan_.inverse_mass[i] != 0.0) all.velocity[i] = vector_at(plan_, to.v, i);
-    }
-    return all;
-  }
-
-  const System& system_;
-  const Settings& settings_;
-  State state_;
-  Plan plan_;
-  long frames_;
-  Motion motion_;
-  Workspace work_;
-  std::vector<Place> starts_, steps_;
-};
+  return all;
+}
 
 }  // namespace
 
 Gradient compute_gradient(const System& system, const Settings& settings, const State& start, long frames, const SampleWeights& weights,
                           const std::function<void(long, long)>& progress) {
-  GradientRun run(system, settings, start, frames);
-  run.run(progress);
-  return run.pass_back(weights, progress);
+  const Integrator& method = *settings.integrator;
+  if (StepAdjoint::find(method) == nullptr)
+    throw InputError("integrator: " + std::string(method.id) + ": gradients are of velocity_verlet and runge_kutta4 only");
+  Plan plan = make_plan(system);
+  check_forces(plan, system);
+  State state = start;
+  const std::vector<Place> starts = run_frames(plan, system, settings, frames, state, progress);
+
+  Motion motion;
+  pack(plan, start, motion);
+  Workspace work;
+  const double h = settings.substep();
+  if (method.prepare != nullptr) method.prepare(plan, h, motion, work);
+  Adjoint to(plan);
+  StepAdjoint adjoint(plan, method, h);
+  const auto count = static_cast<std::size_t>(settings.substeps);
+  std::vector<Place> steps(count + 1);
+  std::size_t samples = weights.frames.size();
+  for (long n = frames; n >= 0; --n) {
+    for (; samples > 0 && weights.frames[samples - 1] == n; --samples) add_weights(plan, weights, samples - 1, to);
+    if (n == 0) break;
+
+    // the substeps of the frame, and back through them
+    steps[0] = starts[static_cast<std::size_t>(n - 1)];
+    motion.x = steps[0].x;
+    motion.v = steps[0].v;
+    motion.acceleration_is_current = false;
+    for (std::size_t k = 1; k <= count; ++k) {
+      method.step(plan, motion, work, h);
+      steps[k] = {motion.x, motion.v};
+    }
+    for (std::size_t k = count; k-- > 0;) adjoint.pass(steps[k].x, steps[k].v, steps[k + 1].x, to);
+    progress(2 * frames - n + 1, 2 * frames);
+  }
+  adjoint.finish(to);
+  Gradient gradient = gradient_of(plan, system, to);
+  gradient.hash = hash_state(state);
+  return gradient;
 }
 
 }  // namespace hooke

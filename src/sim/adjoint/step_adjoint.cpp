@@ -16,13 +16,9 @@
 namespace hooke {
 namespace {
 
-// y += s x
-void add(double s, const Field& x, Field& y) {
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] += s * x[i];
-}
-// y = a x + s b
-void set_sum(double a, const Field& x, double s, const Field& b, Field& y) {
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] = a * x[i] + s * b[i];
+// y = s a + t b
+void set_sum(double s, const Field& a, double t, const Field& b, Field& y) {
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = s * a[i] + t * b[i];
 }
 
 // Sweeps over the dashpots take every other spring of a row first, then those between (dashpot.cpp).
@@ -34,14 +30,6 @@ std::vector<Link> links_of(const Plan& plan) {
       for (Index e = begin; e < run.count; e += is_row ? 2 : 1) links.push_back({run.first + e, run.second + e, run.begin + e});
   }
   return links;
-}
-
-template <class Use>
-void for_each(const std::vector<Link>& links, SweepDirection direction, const Use& use) {
-  if (direction == SweepDirection::Forward)
-    std::for_each(links.begin(), links.end(), use);
-  else
-    std::for_each(links.rbegin(), links.rend(), use);
 }
 
 }  // namespace
@@ -57,6 +45,7 @@ StepAdjoint::StepAdjoint(const Plan& plan, const Integrator& method, double h)
       back_(find(method)),
       h_(h),
       links_(links_of(plan)),
+      reversed_(links_.rbegin(), links_.rend()),
       first_(links_.size()),
       last_(links_.size()),
       fields_(13, Field(static_cast<std::size_t>(plan.points) * plan.dimensions)) {
@@ -98,25 +87,22 @@ void StepAdjoint::pass_acceleration(const Field& x, const Field* v, const Field&
 
 // As decay_dashpots; keeps the difference of the velocities of each spring before it acts.
 void StepAdjoint::sweep(SweepDirection direction, const Field& x, Field& v, std::vector<Vec3>& before) const {
-  for_each(links_, direction, [&](const Link& link) {
-    const Vec3 a = difference_at(plan_, x, link.second, link.first), w = difference_at(plan_, v, link.second, link.first);
+  for (const auto& [i, j, s] : direction == SweepDirection::Forward ? links_ : reversed_) {
+    const Vec3 a = difference_at(plan_, x, j, i), w = before[s] = difference_at(plan_, v, j, i);
     const double square = glm::dot(a, a);
-    before[link.spring] = w;
-    if (square < min_dashpot_length_squared) return;
-    const Vec3 impulse = decay_[link.spring] / square * glm::dot(a, w) * a;
-    add_vector(plan_, v, link.first, -plan_.inverse_mass[link.first] * impulse);
-    add_vector(plan_, v, link.second, plan_.inverse_mass[link.second] * impulse);
-  });
+    if (square < min_dashpot_length_squared) continue;
+    const Vec3 impulse = decay_[s] / square * glm::dot(a, w) * a;
+    add_vector(plan_, v, i, -plan_.inverse_mass[i] * impulse);
+    add_vector(plan_, v, j, plan_.inverse_mass[j] * impulse);
+  }
 }
 
 // v1 -= b a / m1, v2 += b a / m2, b = decay (a.w) / |a|^2, a = x1 - x2, w = v1 - v2
 void StepAdjoint::pass_sweep(SweepDirection direction, const Field& x, const std::vector<Vec3>& before, Adjoint& to) const {
-  using enum SweepDirection;
-  for_each(links_, direction == Forward ? Backward : Forward, [&](const Link& link) {
-    const auto& [i, j, s] = link;
+  for (const auto& [i, j, s] : direction == SweepDirection::Forward ? reversed_ : links_) {
     const Vec3 a = difference_at(plan_, x, j, i), w = before[s];
     const double square = glm::dot(a, a), along = glm::dot(a, w);
-    if (square < min_dashpot_length_squared) return;
+    if (square < min_dashpot_length_squared) continue;
     const Vec3 v1 = vector_at(plan_, to.v, i), v2 = vector_at(plan_, to.v, j);
     const Vec3 of_impulse = plan_.inverse_mass[j] * v2 - plan_.inverse_mass[i] * v1;
     const double g = decay_[s] / square, b = g * along, of_b = glm::dot(a, of_impulse);
@@ -128,7 +114,7 @@ void StepAdjoint::pass_sweep(SweepDirection direction, const Field& x, const std
     add_vector(plan_, to.v, j, -of_w);
     add_vector(plan_, to.x, i, of_a);
     add_vector(plan_, to.x, j, -of_a);
-  });
+  }
 }
 
 // methods/velocity_verlet.cpp. Without dashpots the velocities are not needed: everything is linear in them.
@@ -150,7 +136,7 @@ void StepAdjoint::pass_verlet(const Field& x, const Field& v, const Field& next_
     set_sum(weight, to.v, 0.0, to.v, a);
     set_sum(decay, to.v, 0.0, to.v, to.v);
     pass_acceleration(*at, nullptr, a, to, to.x, nullptr);
-    if (at == &next_x) add(h_, to.x, to.v);
+    if (at == &next_x) set_sum(1.0, to.v, h_, to.x, to.v);
   }
   if (plan_.has_dashpots()) pass_sweep(SweepDirection::Forward, x, first_, to);
 }
@@ -173,8 +159,8 @@ void StepAdjoint::pass_runge_kutta4(const Field& x, const Field& v, const Field&
     std::ranges::fill(of_x, 0.0);
     set_sum(1.0, of_slope_x, -plan_.drag, of_slope_v, of_v);
     pass_acceleration(stage_x[i], &stage_v[i], of_slope_v, to, of_x, &of_v);
-    add(1.0, of_x, to.x);
-    add(1.0, of_v, to.v);
+    set_sum(1.0, to.x, 1.0, of_x, to.x);
+    set_sum(1.0, to.v, 1.0, of_v, to.v);
   }
 }
 

@@ -10,6 +10,14 @@ namespace hooke {
 
 // Derivatives of the weighted sum by the state before the steps that have been passed backwards, and by what those steps used.
 struct Adjoint {
+  explicit Adjoint(const Plan& plan)
+      : x(static_cast<std::size_t>(plan.points) * plan.dimensions),
+        v(x.size()),
+        stiffness(plan.spring.stiffness.size()),
+        rest_length(stiffness.size()),
+        damping(stiffness.size()),
+        decay(stiffness.size()),
+        inverse_mass(static_cast<std::size_t>(plan.points)) {}
   Field x, v;
   // of the packed springs; `decay`: of what a sweep over the dashpots takes (plan_dashpot_decay)
   std::vector<double> stiffness, rest_length, damping, decay;
@@ -44,9 +52,9 @@ class StepAdjoint {
   const Plan& plan_;
   Back back_;
   double h_;
-  std::vector<Link> links_;         // in the order of a forward sweep over the dashpots
-  std::vector<double> decay_;       // of half a step
-  std::vector<Vec3> first_, last_;  // [m/s], what the two sweeps of a step meet
+  std::vector<Link> links_, reversed_;  // in the order of a forward sweep over the dashpots, and of a backward one
+  std::vector<double> decay_;           // of half a step
+  std::vector<Vec3> first_, last_;      // [m/s], what the two sweeps of a step meet
   std::vector<Field> fields_;
 };
 
