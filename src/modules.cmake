@@ -2,7 +2,7 @@
 # links it with those it uses, tests/layers.cmake checks the includes, and docs/development/architecture.md shows the table as a diagram.
 # A module is the folder of its name; those of the physics are in sim.
 
-set(physics_modules model plan forces contact methods step control statics)
+set(physics_modules model plan forces contact methods step control statics adjoint)
 set(hooke_modules base ${physics_modules} scene formats edit lab study draw ui app batch cli python api)
 
 # The folder of a module in src.
@@ -23,7 +23,9 @@ set(methods_uses base model plan forces)
 set(step_uses base model plan forces contact methods)
 set(control_uses base model plan forces contact methods step)
 set(statics_uses base model plan forces methods)
+set(adjoint_uses base model plan forces methods step)
 set(physics base ${physics_modules})
+list(REMOVE_ITEM physics adjoint)
 set(scene_uses ${physics})
 set(formats_uses ${physics} scene)
 set(edit_uses ${physics} scene formats)
@@ -34,5 +36,5 @@ set(ui_uses ${physics} scene formats edit lab study draw)
 set(app_uses ${physics} scene formats edit lab study draw ui)
 set(batch_uses ${physics} scene formats edit lab study draw ui)
 set(cli_uses ${physics} scene formats edit lab study draw ui batch)
-set(python_uses ${physics} scene formats edit lab study draw ui batch)
+set(python_uses ${physics} adjoint scene formats edit lab study draw ui batch)
 set(api_uses ${physics} scene formats edit lab)

@@ -101,6 +101,11 @@ class Lab(Parameterized):
         """Force of the nail or the hand that keeps a point in place [N], (points, 3); zero for free points."""
         return self._loads("reactions")
 
+    @property
+    def contact_forces(self) -> Array:
+        """Mean force of contact on every point over the last frame [N], (points, 3); zero where nothing touched, and for nails."""
+        return self._loads("contact")
+
     @contextlib.contextmanager
     def edit(self) -> Iterator[tuple[Array, Array]]:
         """Arrays of the positions [m] and velocities [m/s] to write to: `with lab.edit() as (positions, velocities):`. One edit to undo."""

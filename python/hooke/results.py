@@ -11,20 +11,23 @@ import io
 import json
 import math
 import os
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union, overload
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _hooke
-from ._arguments import path, text
-from ._hooke import UnknownNameError, UsageError
+from ._arguments import array, names, path, text
+from ._hooke import InputError, UnknownNameError, UsageError
+from ._progress import bar
 
 if TYPE_CHECKING:
     from .lab import Lab
 
 Array = NDArray[np.float64]
+Weights = Union[ArrayLike, tuple[Optional[ArrayLike], Optional[ArrayLike]]]
+_gradients = ("stiffness", "rest_length", "damping", "masses", "positions", "velocities")
 
 
 def new_axes(count: int = 1) -> list[Any]:
@@ -64,7 +67,8 @@ class Run:
     lab: the laboratory at the end of the run
     """
 
-    def __init__(self, values: dict[str, Any], lab: Lab, start: _hooke.Scene | None, asked_seconds: float) -> None:
+    def __init__(self, values: dict[str, Any], lab: Lab, start: _hooke.Scene | None, asked_seconds: float,
+                 points: list[int] | None) -> None:
         self.time: Array = values["time"]
         self.positions: Array = values["positions"]
         self.velocities: Array = values["velocities"]
@@ -85,6 +89,7 @@ class Run:
         self._lab: Lab | None = lab
         self._start = start
         self._asked_seconds = asked_seconds
+        self._points = points
         self._diagnosis: str | None = None
 
     def __getstate__(self) -> dict[str, Any]:
@@ -111,6 +116,57 @@ class Run:
         if self._lab is None:
             raise UsageError("lab: a run that was pickled has none")
         return self._lab
+
+    @overload
+    def gradient(self, of: Weights, with_respect_to: str, *, progress: bool | None = None) -> Array: ...  # type: ignore[misc]
+    @overload
+    def gradient(self, of: Weights, with_respect_to: Sequence[str], *, progress: bool | None = None) -> dict[str, Array]: ...
+
+    def gradient(self, of: Weights, with_respect_to: str | Sequence[str], *, progress: bool | None = None) -> Array | dict[str, Array]:
+        """Derivatives of the sum of weight times position over all samples, points and components, by the adjoint of the very steps.
+
+        of: the weights, of the shape of run.positions, or a pair: of positions, and of velocities. Those of the squared distance from a
+            measured motion are 2 * (run.positions - measured), of which the sum is then the first-order change
+        with_respect_to: "stiffness", "rest_length" or "damping" of the springs, "masses", or "positions" or "velocities" of the start; a
+            name returns an array as that of the scene [unit of the sum per N/m, m, N s/m, kg, m or m/s], several a dict of arrays. More
+            names cost nothing
+        Takes the time of some runs and the memory of the positions and velocities of all frames. Raises InputError, which names the
+        reason, for other methods than velocity_verlet and runge_kutta4, contact, springs that break, strain limits, laws and forces.
+        """
+        chosen = names("with_respect_to", with_respect_to)
+        if unknown := [name for name in chosen if name not in _gradients]:
+            raise UnknownNameError(f"with_respect_to: {unknown[0]}: must be one of {', '.join(_gradients)}")
+        if self._start is None:
+            raise UsageError("gradient: a run that was pickled has none")
+        if self.diverged:
+            raise InputError("gradient: the run diverged")
+        given = of if isinstance(of, tuple) else (of, None)
+        if len(given) != 2:
+            raise UsageError("of: must be weights, or a pair of them")
+        positions, velocities = (self._weights(name, value) for name, value in zip(("of positions", "of velocities"), given))
+        frame_rate = self._start.frame_rate
+        frames = [round((time - self._start.time) * frame_rate) for time in self.time]
+        with bar("gradient", progress) as shown:
+            found = _hooke.gradient(self._start, round(self.seconds * frame_rate), frames, positions, velocities, shown)
+        if found["hash"] != self.hash:
+            raise InputError("gradient: the run cannot be repeated: on_frame changed it, or its precision is single")
+        return found[with_respect_to] if isinstance(with_respect_to, str) else {name: found[name] for name in chosen}
+
+    def _weights(self, name: str, value: ArrayLike | None) -> Array:
+        assert self._start is not None
+        if value is None:
+            return np.empty(0)
+        weights = array(name, value)
+        if weights.shape != self.positions.shape:
+            raise InputError(f"{name}: shape {weights.shape}: must be {self.positions.shape}")
+        if not np.isfinite(weights).all():
+            raise InputError(f"{name}: must be finite numbers")
+        if self._points is None:
+            return weights
+        spread = np.zeros((len(weights), len(self._start.masses), 3))
+        for number, point in enumerate(self._points):
+            spread[:, point] += weights[:, number]
+        return spread
 
     def plot(self, ax: Any = None) -> Any:
         """Draws the energies over time with Matplotlib, and returns the axes."""

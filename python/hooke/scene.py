@@ -331,9 +331,9 @@ class Scene(Parameterized, Shapes):
         progress: a tqdm bar, by default on terminals and in notebooks
         """
         columns = None if quantities is None else ",".join(names("quantities", quantities))
+        sampled = None if points is None else np.atleast_1d(whole_numbers("points", points)).tolist()
         arguments = (number("seconds", seconds), optional(number, "sample", sample), text("accuracy", accuracy),
-                     optional(path, "json", json), optional(path, "csv", csv), columns, optional(path, "pc2", pc2),
-                     None if points is None else np.atleast_1d(whole_numbers("points", points)).tolist())
+                     optional(path, "json", json), optional(path, "csv", csv), columns, optional(path, "pc2", pc2), sampled)
         if on_frame is not None and not callable(on_frame):
             raise TypeError(f"on_frame: {on_frame!r}: must be a function")
         control = None if on_frame is None else _control(on_frame)
@@ -342,7 +342,7 @@ class Scene(Parameterized, Shapes):
         with bar("run", progress) as shown:
             values, lab = _hooke.run(start, *arguments, *execution, control, shown)
         _warn(values["warnings"], 2)
-        return Run(values, Lab(lab), start, seconds)
+        return Run(values, Lab(lab), start, seconds, sampled)
 
     def lab(self, *, integrator: str | None = None, substeps: int | None = None, frame_rate: float | None = None,
             tolerance: float | None = None, accuracy: str = "off", threads: int = 1, precision: str = "double") -> Lab:

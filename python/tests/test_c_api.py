@@ -37,3 +37,17 @@ def test_a_simulation_has_the_bits_of_a_run():
 def test_mistakes_are_answered_with_a_line():
     c = library()
     assert c.hooke_scene_load(b"nowhere") is None and c.hooke_error().startswith(b"nowhere: no such file or shipped scene")
+
+
+def test_contact_forces_are_those_of_the_module():
+    c = library()
+    scene = hooke.load("marbles")
+    simulation = ctypes.c_void_p(c.hooke_simulation_new(ctypes.c_void_p(c.hooke_scene_load(b"marbles")), 0))
+    lab = scene.lab()
+    for _ in range(60):
+        assert c.hooke_simulation_frame(simulation) == 1
+    lab.step(60)
+    forces = np.empty((scene.point_count, 3))
+    assert c.hooke_simulation_contact_forces(simulation, forces.ctypes.data_as(ctypes.c_void_p)) == 0
+    assert forces.any() and np.array_equal(forces, lab.contact_forces)
+    c.hooke_simulation_free(simulation)

@@ -9,8 +9,8 @@ import pytest
 notebooks = sorted((pathlib.Path(__file__).parents[2] / "docs" / "guide" / "notebooks").glob("*.ipynb"))
 
 
-def test_there_are_three_notebooks():
-    assert [file.stem for file in notebooks] == ["first_steps", "fit_stiffness", "speed_and_error"]
+def test_there_are_four_notebooks():
+    assert [file.stem for file in notebooks] == ["first_steps", "fit_stiffness", "identify_stiffness", "speed_and_error"]
 
 
 @pytest.mark.filterwarnings("error::hooke.HookeWarning")

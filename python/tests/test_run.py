@@ -211,3 +211,27 @@ def test_progress_is_shown_by_tqdm(monkeypatch):
     assert [(bar.n, bar.total, bar.is_closed) for bar in bars] == [(30, 30, True)]
     hooke.load("two_masses").run(0.5, progress=False)
     assert len(bars) == 1
+
+
+@pytest.mark.parametrize("options", [{}, {"integrator": "runge_kutta4"}, {"integrator": "symplectic_euler"},
+                                     {"integrator": "dop853", "tolerance": 1e-8}])
+def test_the_floor_carries_the_weight(options):
+    scene = hooke.Scene(gravity=(0, -9.81, 0))
+    scene.add_points([(0, 0.02, 0), (1, 0.02, 0), (2, 5, 0), (3, 0, 0)], mass=[1, 3, 1, 1], nailed=[False, False, False, True])
+    scene.add_collider("plane", point=(0, 0, 0), normal=(0, 1, 0))
+    lab = scene.lab(**options)
+    assert not lab.contact_forces.any()
+    lab.step(30)
+    assert np.allclose(lab.contact_forces, [(0, 9.81, 0), (0, 29.43, 0), (0, 0, 0), (0, 0, 0)], rtol=1e-9, atol=1e-12)
+
+
+def test_contact_between_points_changes_no_momentum():
+    scene = hooke.Scene(gravity=(0, 0, 0))
+    scene.add_points([(0, 0, 0), (1, 0, 0)], mass=[1, 2], velocity=[(6.5, 0, 0), (-6.5, 0, 0)], radius=0.1)
+    scene["contact_points"] = True
+    lab = scene.lab()
+    while not lab.contact_forces.any():
+        before = lab.velocities
+        lab.step()
+    assert np.allclose(lab.contact_forces / 60, (lab.velocities - before) * [[1], [2]], rtol=1e-9)
+    assert np.allclose(lab.contact_forces.sum(axis=0), 0, atol=1e-9)

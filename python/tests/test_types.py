@@ -35,6 +35,7 @@ table = scene.sweep({"stiffness": np.logspace(2, 3, 4), "substeps": [8, 16]}, "m
 table["max_strain"].mean()
 rows: list[dict[str, object]] = list(table)
 forces = float(lab.tension.sum() + lab.reactions.sum())
+slopes = run.gradient(2 * run.positions, "stiffness").sum() + run.gradient((None, run.velocities), ["masses"])["masses"].sum()
 
 # mistakes that are found: an error code that does not apply would be an error
 scene.run(seconds="2")  # type: ignore[arg-type]

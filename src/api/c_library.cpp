@@ -133,6 +133,7 @@ const double* hooke_simulation_velocities(const hooke_simulation* simulation) {
 int hooke_simulation_springs(const hooke_simulation* simulation, int64_t* points) { return fill(simulation, &R::springs, points); }
 int hooke_simulation_tensions(const hooke_simulation* simulation, double* tensions) { return fill(simulation, &R::tensions, tensions); }
 int hooke_simulation_reactions(const hooke_simulation* simulation, double* reactions) { return fill(simulation, &R::reactions, reactions); }
+int hooke_simulation_contact_forces(const hooke_simulation* simulation, double* forces) { return fill(simulation, &R::contact_forces, forces); }
 
 int hooke_simulation_grab(hooke_simulation* simulation, int64_t point, const double target[3]) {
   return call(simulation, &R::grab, point, target);

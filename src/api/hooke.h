@@ -145,6 +145,9 @@ class HOOKE_PUBLIC Simulation {
   std::vector<double> tensions() const;      // [N], of every spring without its dashpot; negative in compression
   std::vector<double> reactions() const;     // [N], x, y, z of the force of every nail; zero for free points
   std::vector<Collider> colliders() const;   // where they are now
+  // Of the last frame: the points that touched something, and x, y, z of the mean force of contact on every point [N]; zero for nails.
+  std::vector<std::int64_t> contacts() const;
+  std::vector<double> contact_forces() const;
 
   // RMS over the points of the distance from the exact motion since the start [m], and what the last measured frame added; NaN: not known.
   double error() const;

@@ -59,10 +59,12 @@ HOOKE_C_PUBLIC int64_t hooke_simulation_spring_count(const hooke_simulation* sim
 /* x, y, z of every point; valid until the simulation is stepped, changed or freed. */
 HOOKE_C_PUBLIC const double* hooke_simulation_positions(const hooke_simulation* simulation);
 HOOKE_C_PUBLIC const double* hooke_simulation_velocities(const hooke_simulation* simulation);
-/* Fill arrays of the caller: two points of every spring, its tension [N], and the force of the nail of every point [N]. */
+/* Fill arrays of the caller: two points of every spring, its tension [N], the force of the nail of every point [N], and the mean force of
+   contact on it over the last frame [N]. */
 HOOKE_C_PUBLIC int hooke_simulation_springs(const hooke_simulation* simulation, int64_t* points);
 HOOKE_C_PUBLIC int hooke_simulation_tensions(const hooke_simulation* simulation, double* tensions);
 HOOKE_C_PUBLIC int hooke_simulation_reactions(const hooke_simulation* simulation, double* reactions);
+HOOKE_C_PUBLIC int hooke_simulation_contact_forces(const hooke_simulation* simulation, double* forces);
 
 HOOKE_C_PUBLIC int hooke_simulation_grab(hooke_simulation* simulation, int64_t point, const double target[3]);
 HOOKE_C_PUBLIC int hooke_simulation_move_hand(hooke_simulation* simulation, const double target[3]);

@@ -15,7 +15,13 @@ std::vector<Value> values(const Items& items, Read read) {
   return all;
 }
 
-Loads loads_of(const Lab& lab) { return compute_loads(lab.plan(), lab.scene().system, lab.scene().state); }
+std::vector<double> components(const std::vector<Vec3>& vectors) {
+  std::vector<double> all;
+  for (const Vec3& vector : vectors) all.insert(all.end(), {vector.x, vector.y, vector.z});
+  return all;
+}
+
+Loads loads_of(const Lab& lab) { return compute_loads(lab); }
 
 }  // namespace
 
@@ -52,11 +58,15 @@ std::vector<double> Simulation::rest_lengths() const {
 }
 std::vector<double> Simulation::tensions() const { return loads_of(data().lab).tension; }
 
-std::vector<double> Simulation::reactions() const {
-  std::vector<double> components;
-  for (const Vec3& force : loads_of(data().lab).reaction)
-    for (int c = 0; c < 3; ++c) components.push_back(force[c]);
-  return components;
+std::vector<double> Simulation::reactions() const { return components(loads_of(data().lab).reaction); }
+std::vector<double> Simulation::contact_forces() const { return components(loads_of(data().lab).contact); }
+
+std::vector<std::int64_t> Simulation::contacts() const {
+  const std::vector<Vec3> forces = loads_of(data().lab).contact;
+  std::vector<std::int64_t> points;
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    if (forces[i] != Vec3(0.0)) points.push_back(static_cast<std::int64_t>(i));
+  return points;
 }
 
 std::vector<Collider> Simulation::colliders() const {

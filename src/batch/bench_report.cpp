@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/formatted.h"
+#include "base/text_lines.h"
 
 namespace hooke {
 namespace {
@@ -67,12 +68,17 @@ std::string describe(const WorkCounts& work) {
   return text;
 }
 
+// "2 points, 1 spring"
+std::string size_text(const ProblemRecord& record) {
+  return pluralize(static_cast<std::size_t>(record.points), "point", "points") + ", " +
+         pluralize(static_cast<std::size_t>(record.springs), "spring", "springs");
+}
+
 }  // namespace
 
 std::string report(const ProblemRecord& record) {
   std::string text;
-  append_formatted(text, "%s: %s (%d points, %d springs, %g s)\n", record.id.c_str(), record.title.c_str(), record.points, record.springs,
-                   record.seconds);
+  append_formatted(text, "%s: %s (%s, %g s)\n", record.id.c_str(), record.title.c_str(), size_text(record).c_str(), record.seconds);
   if (!record.reference) return text + "  no reference, nothing measured\n";
   text += "  " + describe(*record.reference) + "\n";
   for (const CheapestRow& cheapest_row : cheapest_rows(record))
@@ -92,8 +98,8 @@ std::string markdown_report(const Results& results) {
   text +=
       "Errors are relative to the size of the scene; the cost is in CPU milliseconds per simulated second, the minimum of several runs.\n";
   for (const ProblemRecord& record : results.problems) {
-    append_formatted(text, "\n### %s: %s\n\n%d points, %d springs, %g s. ", record.id.c_str(), record.title.c_str(), record.points,
-                     record.springs, record.seconds);
+    append_formatted(text, "\n### %s: %s\n\n%s, %g s. ", record.id.c_str(), record.title.c_str(), size_text(record).c_str(),
+                     record.seconds);
     if (!record.reference) {
       text += "No reference: nothing measured.\n";
       continue;

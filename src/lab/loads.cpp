@@ -7,7 +7,10 @@
 
 namespace hooke {
 
-Loads compute_loads(const Plan& plan, const System& system, const State& state) {
+Loads compute_loads(const Lab& lab) {
+  const Plan& plan = lab.plan();
+  const System& system = lab.scene().system;
+  const State& state = lab.scene().state;
   Loads loads;
   for (const Spring& spring : system.springs()) {
     const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
@@ -29,6 +32,11 @@ Loads compute_loads(const Plan& plan, const System& system, const State& state) 
   compute_forces(plan, state.time, motion.x, motion.v, f);
   loads.reaction = unpacked(f);
   for (Index i = 0; i < system.point_count(); ++i) loads.reaction[i] = plan.inverse_mass[i] == 0.0 ? -loads.reaction[i] : Vec3(0.0);
+
+  const Field& impulse = lab.last_frame().motion().contact;
+  loads.contact.resize(state.position.size());
+  if (impulse.size() == motion.x.size()) loads.contact = unpacked(impulse);
+  for (Vec3& force : loads.contact) force *= lab.scene().settings.frame_rate;
   return loads;
 }
 

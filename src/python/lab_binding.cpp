@@ -29,21 +29,15 @@ void change(NamedLab& lab, Request request) {
   submit(lab, std::move(request));
 }
 
-PointId id_of(const NamedLab& lab, std::int64_t point) {
-  const System& system = lab.lab.scene().system;
-  if (point < 0 || point >= system.point_count())
-    throw InputError("point: " + std::to_string(point) + ": must be the number of one of the " + std::to_string(system.point_count()) +
-                     " points, from 0");
-  return system.points()[static_cast<std::size_t>(point)].id;
+// `kind`: "point" or "spring".
+template <class Items>
+auto id_of(const Items& items, const std::string& kind, std::int64_t number) {
+  if (number < 0 || number >= std::ssize(items))
+    throw InputError(kind + ": " + std::to_string(number) + ": must be the number of one of the " + std::to_string(items.size()) + " " +
+                     kind + "s, from 0");
+  return items[static_cast<std::size_t>(number)].id;
 }
-
-SpringId spring_id_of(const NamedLab& lab, std::int64_t spring) {
-  const System& system = lab.lab.scene().system;
-  if (spring < 0 || spring >= system.spring_count())
-    throw InputError("spring: " + std::to_string(spring) + ": must be the number of one of the " + std::to_string(system.spring_count()) +
-                     " springs, from 0");
-  return system.springs()[static_cast<std::size_t>(spring)].id;
-}
+PointId id_of(const NamedLab& lab, std::int64_t point) { return id_of(lab.lab.scene().system.points(), "point", point); }
 
 Vec3 vector_from(const std::string& name, const Doubles& values) {
   if (values.ndim() != 1 || values.shape(0) != 3) throw InputError(name + ": shape " + shape_of(values) + ": must be (3,)");
@@ -87,7 +81,7 @@ void remove(NamedLab& lab, const std::vector<std::int64_t>& points, const std::v
   const Change guard(lab);
   Remove remove;
   for (const std::int64_t point : points) remove.points.push_back(id_of(lab, point));
-  for (const std::int64_t spring : springs) remove.springs.push_back(spring_id_of(lab, spring));
+  for (const std::int64_t spring : springs) remove.springs.push_back(id_of(lab.lab.scene().system.springs(), "spring", spring));
   submit(lab, remove);
 }
 
@@ -95,9 +89,8 @@ void set_state(NamedLab& lab, const Doubles& positions, const Doubles& velocitie
   const Change guard(lab);
   const Scene& scene = lab.lab.scene();
   const std::size_t count = scene.system.points().size();
-  const std::vector<Vec3> position = to_vectors("positions", positions, count), velocity = to_vectors("velocities", velocities, count);
-  check_flat(scene.system, "positions", position);
-  check_flat(scene.system, "velocities", velocity);
+  const std::vector<Vec3> position = flat_vectors(scene.system, "positions", positions, count);
+  const std::vector<Vec3> velocity = flat_vectors(scene.system, "velocities", velocities, count);
   Move move;
   for (std::size_t i = 0; i < count; ++i) move.items.push_back({scene.system.points()[i].id, position[i], velocity[i]});
   submit(lab, move);
@@ -166,11 +159,11 @@ py::dict energy_of(NamedLab& lab) {
   return entry;
 }
 
-// {"strain" [1], "tension" [N], "spring_energy" [J], "forces", "loads", "reactions" [N]}: of springs, then of points.
+// {"strain" [1], "tension" [N], "spring_energy" [J], "forces", "loads", "reactions", "contact" [N]}: of springs, then of points.
 py::dict loads_of(NamedLab& lab) {
   const Use use(lab);
   const Scene& scene = lab.lab.scene();
-  const Loads loads = compute_loads(lab.lab.plan(), scene.system, scene.state);
+  const Loads loads = compute_loads(lab.lab);
   std::vector<double> strains;
   std::vector<Vec3> forces;
   for (const Spring& spring : scene.system.springs()) {
@@ -187,6 +180,7 @@ py::dict loads_of(NamedLab& lab) {
   entry["forces"] = to_array(forces);
   entry["loads"] = to_array(loads.external);
   entry["reactions"] = to_array(loads.reaction);
+  entry["contact"] = to_array(loads.contact);
   return entry;
 }
 

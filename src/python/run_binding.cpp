@@ -7,6 +7,8 @@
 #include "batch/run_frames.h"
 #include "batch/run_report.h"
 #include "python/lab_binding.h"
+#include "sim/adjoint/gradient.h"
+#include "sim/model/hash.h"
 
 namespace hooke::python {
 namespace {
@@ -147,9 +149,36 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
   return py::make_tuple(entry, lab);
 }
 
+// {"stiffness", ..., "velocities"} and the "hash" of the last state. `weights`: (samples, points, 3), or without samples.
+py::dict gradient(const NamedScene& scene, long frames, std::vector<long> sampled, const Doubles& positions, const Doubles& velocities,
+                  py::object progress) {
+  const auto vectors = [](const Doubles& array) {
+    return std::span(reinterpret_cast<const Vec3*>(array.data()), static_cast<std::size_t>(array.size()) / 3);
+  };
+  const SampleWeights weights{std::move(sampled), vectors(positions), vectors(velocities)};
+  Gradient gradient;
+  Watch watch(std::move(progress));
+  {
+    const py::gil_scoped_release unlocked;
+    const Scene& start = scene.scene();
+    gradient =
+        compute_gradient(start.system, start.settings, start.state, frames, weights, [&](long done, long all) { watch.check(done, all); });
+  }
+  py::dict entry;
+  entry["stiffness"] = to_array(gradient.stiffness);
+  entry["rest_length"] = to_array(gradient.rest_length);
+  entry["damping"] = to_array(gradient.damping);
+  entry["masses"] = to_array(gradient.mass);
+  entry["positions"] = to_array(gradient.position);
+  entry["velocities"] = to_array(gradient.velocity);
+  entry["hash"] = to_hexadecimal(gradient.hash);
+  return entry;
+}
+
 }  // namespace
 
 void bind_run(py::module_& module) {
+  module.def("gradient", &gradient);
   module.def("run",
              [](const NamedScene& scene, double seconds, std::optional<double> sample, const std::string& accuracy,
                 const std::optional<std::string>& json, const std::optional<std::string>& csv, const std::optional<std::string>& quantities,

@@ -42,11 +42,9 @@ void add_part(NamedScene& scene, const std::string& members, const std::string& 
 Index add_points(NamedScene& scene, const Doubles& positions, const Doubles& masses, const Doubles& velocities, const Doubles& radii,
                  const std::vector<bool>& nailed) {
   const std::size_t count = positions.ndim() > 0 ? static_cast<std::size_t>(positions.shape(0)) : 0;
-  const std::vector<Vec3> position = to_vectors("positions", positions, count);
-  const std::vector<Vec3> velocity = to_vectors("velocity", velocities, count);
+  const std::vector<Vec3> position = flat_vectors(scene.scene().system, "positions", positions, count);
+  const std::vector<Vec3> velocity = flat_vectors(scene.scene().system, "velocity", velocities, count);
   const std::vector<double> mass = to_values("mass", masses, count), radius = to_values("radius", radii, count);
-  check_flat(scene.scene().system, "positions", position);
-  check_flat(scene.scene().system, "velocity", velocity);
   if (points_of(scene).size() + count > max_points)
     throw InputError("points: " + std::to_string(points_of(scene).size() + count) + ": must be at most " + std::to_string(max_points));
   Insert insert;
@@ -119,15 +117,11 @@ void set_motion(NamedScene& scene, const std::vector<Vec3>& position, const std:
 }
 
 void set_positions(NamedScene& scene, const Doubles& array) {
-  const std::vector<Vec3> position = to_vectors("positions", array, points_of(scene).size());
-  check_flat(scene.scene().system, "positions", position);
-  set_motion(scene, position, scene.scene().state.velocity);
+  set_motion(scene, flat_vectors(scene.scene().system, "positions", array, points_of(scene).size()), scene.scene().state.velocity);
 }
 
 void set_velocities(NamedScene& scene, const Doubles& array) {
-  const std::vector<Vec3> velocity = to_vectors("velocities", array, points_of(scene).size());
-  check_flat(scene.scene().system, "velocities", velocity);
-  set_motion(scene, scene.scene().state.position, velocity);
+  set_motion(scene, scene.scene().state.position, flat_vectors(scene.scene().system, "velocities", array, points_of(scene).size()));
 }
 
 void set_nailed(NamedScene& scene, const std::vector<bool>& nailed) {
@@ -139,43 +133,24 @@ void set_nailed(NamedScene& scene, const std::vector<bool>& nailed) {
   change(scene, set);
 }
 
-void set_points(NamedScene& scene, PointProperty property, const std::string& name, const Bounds& bounds, const Doubles& array) {
-  const std::vector<double> values = to_values(name, array, points_of(scene).size());
-  SetPointProperty set{.property = property, .values = {}};
+// SetPointProperty or SetSpringProperty of all.
+template <class Set, class Items>
+void set_all(NamedScene& scene, Set set, const Items& items, const std::string& name, const Bounds& bounds, const Doubles& array) {
+  const std::vector<double> values = to_values(name, array, items.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     check_value(at(name, i), values[i], bounds);
-    set.values.emplace_back(points_of(scene)[i].id, values[i]);
+    set.values.emplace_back(items[i].id, values[i]);
   }
   change(scene, set);
 }
 
-void set_springs(NamedScene& scene, SpringProperty property, const std::string& name, const Doubles& array) {
-  const std::vector<double> values = to_values(name, array, springs_of(scene).size());
-  SetSpringProperty set{.property = property, .values = {}};
-  for (std::size_t s = 0; s < values.size(); ++s) {
-    check_value(at(name, s), values[s], not_negative);
-    set.values.emplace_back(springs_of(scene)[s].id, values[s]);
-  }
-  change(scene, set);
-}
-
-py::array ends_of(const NamedScene& scene) {
-  const System& system = scene.scene().system;
-  py::array_t<std::int64_t> array({static_cast<py::ssize_t>(system.springs().size()), py::ssize_t{2}});
+// The numbers of the points of each spring or face, `points_of_each` of it.
+template <class Items, class Read>
+py::array numbers_of(const System& system, const Items& items, py::ssize_t columns, Read points_of_each) {
+  py::array_t<std::int64_t> array({static_cast<py::ssize_t>(items.size()), columns});
   std::int64_t* to = array.mutable_data();
-  for (const Spring& spring : system.springs()) {
-    *to++ = system.index_of(spring.first);
-    *to++ = system.index_of(spring.second);
-  }
-  return read_only(array);
-}
-
-py::array faces_of(const NamedScene& scene) {
-  const System& system = scene.scene().system;
-  py::array_t<std::int64_t> array({static_cast<py::ssize_t>(system.faces.size()), py::ssize_t{3}});
-  std::int64_t* to = array.mutable_data();
-  for (const Face& face : system.faces)
-    for (const PointId corner : face.points) *to++ = system.index_of(corner);
+  for (const auto& item : items)
+    for (const PointId point : points_of_each(item)) *to++ = system.index_of(point);
   return read_only(array);
 }
 
@@ -256,10 +231,11 @@ ImportOptions to_import_options(const std::map<std::string, std::string>& texts)
   return options;
 }
 
-void check_flat(const System& system, const std::string& name, const std::vector<Vec3>& vectors) {
-  if (system.dimensions == 3) return;
-  for (std::size_t i = 0; i < vectors.size(); ++i)
+std::vector<Vec3> flat_vectors(const System& system, const std::string& name, const Doubles& array, std::size_t count) {
+  std::vector<Vec3> vectors = to_vectors(name, array, count);
+  for (std::size_t i = 0; system.dimensions == 2 && i < count; ++i)
     if (vectors[i].z != 0.0) throw InputError(at(name, i) + ": z = " + format_exact(vectors[i].z) + ": must be 0 in a 2-D scene");
+  return vectors;
 }
 
 const Parameter& parameter_of(const char* owner, const std::string& name) {
@@ -312,10 +288,14 @@ void bind_scene(py::module_& module) {
     };
   };
   const auto point_setter = [](P property, const char* name, Bounds bounds) {
-    return [=](NamedScene& scene, const Doubles& array) { set_points(scene, property, name, bounds, array); };
+    return [=](NamedScene& scene, const Doubles& array) {
+      set_all(scene, SetPointProperty{.property = property, .values = {}}, points_of(scene), name, bounds, array);
+    };
   };
   const auto spring_setter = [](S property, const char* name) {
-    return [=](NamedScene& scene, const Doubles& array) { set_springs(scene, property, name, array); };
+    return [=](NamedScene& scene, const Doubles& array) {
+      set_all(scene, SetSpringProperty{.property = property, .values = {}}, springs_of(scene), name, not_negative, array);
+    };
   };
   py::class_<NamedScene>(module, "Scene")
       .def_static("load", &load)
@@ -361,8 +341,16 @@ void bind_scene(py::module_& module) {
       .def_property("damping", spring_column(&Spring::damping), spring_setter(S::Damping, "damping"))
       .def_property("rest_length", spring_column(&Spring::rest_length), spring_setter(S::RestLength, "rest_length"))
       .def_property("laws", &laws_of, &set_laws)
-      .def_property_readonly("springs", &ends_of)
-      .def_property_readonly("faces", &faces_of);
+      .def_property_readonly("springs",
+                             [](const NamedScene& scene) {
+                               return numbers_of(scene.scene().system, springs_of(scene), 2, [](const Spring& spring) {
+                                 return std::array{spring.first, spring.second};
+                               });
+                             })
+      .def_property_readonly("faces", [](const NamedScene& scene) {
+        const System& system = scene.scene().system;
+        return numbers_of(system, system.faces, 3, [](const Face& face) { return face.points; });
+      });
 }
 
 }  // namespace hooke::python

@@ -49,8 +49,8 @@ py::object value_of(const Scene& scene, const Parameter& parameter);
 // From the texts of the options by name. Throws UsageError.
 ImportOptions to_import_options(const std::map<std::string, std::string>& texts);
 
-// Throws InputError if the scene is 2-D and a vector leaves its plane.
-void check_flat(const System& system, const std::string& name, const std::vector<Vec3>& vectors);
+// As to_vectors. Throws InputError if the scene is 2-D and a vector leaves its plane.
+std::vector<Vec3> flat_vectors(const System& system, const std::string& name, const Doubles& array, std::size_t count);
 
 void bind_scene(py::module_& module);
 void bind_lab(py::module_& module);

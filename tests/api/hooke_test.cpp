@@ -42,6 +42,18 @@ TEST(Interface, BuildsAScene) {
   EXPECT_EQ(v1::Scene::parse(scene.json()).json(), scene.json());
 }
 
+TEST(Interface, NamesThePointsThatTouch) {
+  v1::Scene scene;
+  scene.add_point({0, 0.02, 0}, 2.0);
+  scene.add_point({0, 9, 0}, 1.0);
+  scene.add(R"("colliders": [{"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])");
+  v1::Simulation simulation(scene);
+  EXPECT_TRUE(simulation.contacts().empty());
+  simulation.step();
+  EXPECT_EQ(simulation.contacts(), std::vector<std::int64_t>{0});
+  EXPECT_NEAR(simulation.contact_forces()[1], 2 * 9.81, 1e-9);
+}
+
 TEST(Interface, ReportsErrorsInOneLine) {
   const auto kind_of = [](auto work) {
     try {

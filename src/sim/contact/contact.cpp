@@ -177,9 +177,7 @@ bool resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
   return true;
 }
 
-}  // namespace
-
-bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
+bool resolve_all(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
   const std::span<const Obstacle> obstacles = find_obstacles(plan, before.time, h, before.obstacles);
   before.first_touch = before.first_impact = std::numeric_limits<double>::infinity();
   if (before.velocity_lag != 0.0 && plan.collider_paths.any_moves) follow_planes(plan, before, h, motion);
@@ -202,6 +200,17 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     before.first_touch = 0.0;
   }
   return touched;
+}
+
+}  // namespace
+
+bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
+  before.free_v = motion.v;
+  if (!resolve_all(plan, before, motion, h)) return false;
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
+      motion.contact[at] += plan.mass[i] * (motion.v[at] - before.free_v[at]);
+  return true;
 }
 
 bool limit_strain(const Plan& plan, ContactWorkspace& before, Motion& motion) {

@@ -24,6 +24,8 @@ struct ContactWorkspace {
   // Velocities at the end of the substep before the strain limit changed them, if it did: what it changes is no work of forces.
   Field unlimited_v;
   bool is_limited = false;
+  Field free_v;   // velocities at the end of the substep before contact changed them
+  Field impulse;  // [N s], of contact before the substep, of a method that may take it back
   std::vector<Obstacle> obstacles;
   // [s], since the start of the substep, when the first point touched something, and when the first had an impact; infinity: none did
   double first_touch = 0.0, first_impact = 0.0;

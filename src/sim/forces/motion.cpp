@@ -34,6 +34,7 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
   motion.counts = {};
   motion.crossings = 0;
   motion.energy = {};
+  motion.contact.assign(plan.has_contact() ? size : 0, 0.0);
   motion.local_error = 0.0;
   motion.breaks.clear();
 }

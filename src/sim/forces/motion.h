@@ -47,6 +47,7 @@ struct Motion {
   // at the start of the frame: edges that pass through faces, in flat scenes springs through each other, of those that contact keeps apart
   long crossings = 0;
   EnergyLedger energy;               // of drag and dashpots only as far as PowerWork measures them
+  Field contact;                     // [N s], by contact on each point since the start of the frame; empty: nothing can touch
   double local_error = 0.0;          // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
   std::vector<BrokenSpring> breaks;  // in the order in which they broke
 };

@@ -13,6 +13,7 @@ void store(const Motion& motion, ContactWorkspace& state) {
   state.time = motion.time;
   std::ranges::copy(motion.x, state.x.begin());
   std::ranges::copy(motion.v, state.v.begin());
+  state.impulse = motion.contact;
 }
 
 // Without contact and a strain limit a step needs no correction.
@@ -35,6 +36,7 @@ void AdaptiveStep::take_back(const Step& step, const ContactWorkspace& start, co
   motion.time = start.time;
   std::ranges::copy(start.x, motion.x.begin());
   std::ranges::copy(start.v, motion.v.begin());
+  motion.contact = start.impulse;
   motion.acceleration_is_current = false;
   const double error = before.memory.error > 0.0 ? before.memory.error : motion.memory.error;
   motion.memory = {.step = next, .error = error};
