@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
 #include <limits>
+#include <span>
 
 namespace hooke {
 namespace {
@@ -106,27 +107,38 @@ std::vector<Command> weld(const Snapshot& snapshot, const std::vector<PointId>& 
   return commands;
 }
 
-std::vector<Command> split(const Snapshot& snapshot, PointId point, const IdSource& ids) {
-  const System& system = *snapshot.system;
-  const Index i = system.index_of(point);
-  std::vector<Spring> springs;
-  for (const Spring& spring : system.springs())
-    if (spring.first == point || spring.second == point) springs.push_back(spring);
-  const auto is_corner = [&](const Face& face) { return std::ranges::find(face.points, point) != face.points.end(); };
-  if (i == no_index || springs.size() < 2 || std::any_of(system.faces.begin(), system.faces.end(), is_corner)) return {};
+std::vector<Command> split(const Snapshot& now, const std::vector<PointId>& points, const IdSource& ids) {
+  const System& system = *now.system;
+  std::vector<Spring> springs(system.springs().begin(), system.springs().end());
+  std::vector<bool> is_changed(springs.size());
+  SetPointProperty masses{PointProperty::Mass, {}};
   Insert insert;
+  for (const PointId point : points) {
+    const Index i = system.index_of(point);
+    const auto is_corner = [&](const Face& face) { return std::ranges::find(face.points, point) != face.points.end(); };
+    std::vector<std::size_t> meeting;
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      if (springs[s].first == point || springs[s].second == point) meeting.push_back(s);
+    if (i == no_index || meeting.size() < 2 || std::any_of(system.faces.begin(), system.faces.end(), is_corner)) continue;
+    Point end = system.points()[i];
+    end.mass /= static_cast<double>(meeting.size());
+    masses.values.emplace_back(point, end.mass);
+    for (const std::size_t s : std::span(meeting).subspan(1)) {
+      end.id = ids.point();
+      insert.points.push_back({.point = end, .position = now.state.position[i], .velocity = now.state.velocity[i]});
+      (springs[s].first == point ? springs[s].first : springs[s].second) = end.id;
+      is_changed[s] = true;
+    }
+  }
+  if (insert.points.empty()) return {};
   Remove remove;
-  Point end = system.points()[i];
-  end.mass /= static_cast<double>(springs.size());
-  for (std::size_t s = 1; s < springs.size(); ++s) {
-    end.id = ids.point();
-    insert.points.push_back({.point = end, .position = snapshot.state.position[i], .velocity = snapshot.state.velocity[i]});
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    if (!is_changed[s]) continue;
     remove.springs.push_back(springs[s].id);
-    (springs[s].first == point ? springs[s].first : springs[s].second) = end.id;
     springs[s].id = ids.spring();
     insert.springs.push_back({.spring = springs[s]});
   }
-  return {SetPointProperty{PointProperty::Mass, {{point, end.mass}}}, std::move(remove), std::move(insert)};
+  return {std::move(masses), std::move(remove), std::move(insert)};
 }
 
 }  // namespace hooke

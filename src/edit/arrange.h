@@ -29,8 +29,7 @@ Command distributed(const Snapshot& now, const std::vector<PointId>& points, int
 // The first point takes the springs and faces of the others, their mass, and the place of their center of mass. Springs between them
 // vanish.
 std::vector<Command> weld(const Snapshot& snapshot, const std::vector<PointId>& points, const IdSource& ids);
-// Each spring of the point but the first one gets an end of its own; they share the mass. Empty where fewer than two springs meet, or at a
-// face.
-std::vector<Command> split(const Snapshot& snapshot, PointId point, const IdSource& ids);
+// Each spring of a point but the first one gets an end of its own; they share the mass. Not at faces. Empty where nothing is split.
+std::vector<Command> split(const Snapshot& now, const std::vector<PointId>& points, const IdSource& ids);
 
 }  // namespace hooke

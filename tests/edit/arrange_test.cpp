@@ -80,11 +80,11 @@ TEST(Arrange, WeldingKeepsMassMomentumAndSpringsAndSplittingDividesTheMass) {
   EXPECT_LT(glm::distance(scene.state.velocity[0], Vec3(0.0, 0.75, 0.0)), 1e-12);
   EXPECT_EQ(scene.system.springs()[1].stiffness, 60.0);
 
-  take(scene, split(snapshot_of(scene), scene.system.points()[1].id, ids_of(scene)));
+  take(scene, split(snapshot_of(scene), {scene.system.points()[1].id}, ids_of(scene)));
   EXPECT_EQ(scene.system.point_count(), 3);
   EXPECT_EQ(scene.system.spring_count(), 2);
   EXPECT_DOUBLE_EQ(scene.system.points()[1].mass, 1.0);
-  EXPECT_TRUE(split(snapshot_of(scene), scene.system.points()[1].id, ids_of(scene)).empty());
+  EXPECT_TRUE(split(snapshot_of(scene), {scene.system.points()[1].id}, ids_of(scene)).empty());
 }
 
 TEST(Arrange, WeldingTheEndsOfASpringRemovesIt) {
@@ -93,6 +93,16 @@ TEST(Arrange, WeldingTheEndsOfASpringRemovesIt) {
   EXPECT_EQ(scene.system.point_count(), 2);
   ASSERT_EQ(scene.system.spring_count(), 1);
   EXPECT_EQ(scene.system.springs()[0].stiffness, 60.0);
+}
+
+TEST(Arrange, NeighborsAreSplitTogether) {
+  Scene scene = bar();
+  const PointId d = scene.system.new_point_id();
+  take(scene, {Insert{.points = {{.point = {.id = d}, .position = {3.0, 0.0, 0.0}}},
+                      .springs = {{.spring = {.id = scene.system.new_spring_id(), .first = scene.system.points()[2].id, .second = d}}}}});
+  take(scene, split(snapshot_of(scene), all_of(scene), ids_of(scene)));
+  EXPECT_EQ(scene.system.point_count(), 6);
+  EXPECT_EQ(scene.system.spring_count(), 3);
 }
 
 }  // namespace

@@ -99,17 +99,11 @@ void SelectionEditor::weld() {
 }
 
 void SelectionEditor::split() {
+  std::vector<Command> commands = hooke::split(context_.snapshot(), context_.selection.points, ids());
+  if (commands.empty()) return panels_.show_toast("Nothing to split: select points where springs meet, not of a surface");
   const Gesture gesture = context_.begin_gesture();
-  bool any = false;
-  for (const PointId point : context_.selection.points) {
-    for (Command& command : hooke::split(context_.snapshot(), point, ids())) {
-      context_.lab.submit(std::move(command), gesture);
-      any = true;
-    }
-    context_.settle();
-  }
-  panels_.show_toast(any ? "Split: each spring has an end of its own"
-                         : "Nothing to split: select points where springs meet, not of a surface");
+  for (Command& command : commands) context_.lab.submit(std::move(command), gesture);
+  panels_.show_toast("Split: each spring has an end of its own");
 }
 
 void SelectionEditor::delete_selection() {

@@ -16,7 +16,6 @@ void Captures::report_picture(const std::filesystem::path& file, const std::stri
 void Captures::start_film(const std::filesystem::path& file) {
   if (film_recorder_.is_filming() || film_recorder_.is_writing()) return panels_.show_toast("The previous film is still being written");
   film_recorder_.start_film(file);
-  panels_.show_toast("Filming to " + printable(file.filename().native()) + ": " + key_text(shortcut_of(Action::FilmOnOff)) + " stops it");
 }
 
 void Captures::start_or_stop_film() {

@@ -32,7 +32,9 @@ std::optional<Handles> handles_of(const ToolContext& context) {
   if (seen_points < 2) return std::nullopt;
   min -= margin * context.scale;
   max += margin * context.scale;
-  return Handles{{min, {max.x, min.y}, max, {min.x, max.y}}, {0.5 * (min.x + max.x), min.y - stem * context.scale}};
+  // the handle that turns is above the box, or below it where there is no room
+  const double turn = min.y > 2.0 * stem * context.scale ? min.y - stem * context.scale : max.y + stem * context.scale;
+  return Handles{{min, {max.x, min.y}, max, {min.x, max.y}}, {0.5 * (min.x + max.x), turn}};
 }
 
 }  // namespace
@@ -87,8 +89,8 @@ void TransformHandles::mark(const ToolContext& context, Marks& marks) const {
     marks.ghost_nails.push_back(at(handles->corners[c]));
     marks.ghost_lines.emplace_back(at(handles->corners[c]), at(handles->corners[(c + 1) % 4]));
   }
-  const glm::dvec2 top = 0.5 * (handles->corners[0] + handles->corners[1]);
-  marks.ghost_lines.emplace_back(at(top), at(handles->turn));
+  const glm::dvec2 center_in_picture = 0.5 * (handles->corners[0] + handles->corners[2]);
+  marks.ghost_lines.emplace_back(at(center_in_picture), at(handles->turn));
   marks.ghost_point = at(handles->turn);
 }
 

@@ -101,7 +101,8 @@ void build_row(Index i, std::span<const Column> columns, bool springs, const Pan
   ImGui::TableNextColumn();
   Selection selection = springs ? Selection{{}, {spring_at(now, i).id}} : Selection{{point_at(now, i).id}, {}};
   const bool is_selected = springs ? input.selection.contains(selection.springs[0]) : input.selection.contains(selection.points[0]);
-  if (ImGui::Selectable(std::to_string(i).c_str(), is_selected)) {
+  if (is_selected) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, palette::tinted);
+  if (ImGui::Selectable(std::to_string(i).c_str())) {
     if (ImGui::GetIO().KeyCtrl) selection.add(input.selection);
     requests.emplace_back(Select{std::move(selection)});
   }

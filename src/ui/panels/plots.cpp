@@ -274,7 +274,7 @@ void draw_plot(const PanelInput& input, const TraceTable& table, const Plot& plo
 }
 
 void buttons(const PanelInput& input, const Rect& place, Panels& panels, Requests& requests) {
-  const float x = static_cast<float>(place.x) + units(8.0), width = units(62.0);
+  const float x = static_cast<float>(place.x) + units(6.0), width = units(68.0);
   float y = static_cast<float>(place.y) + units(8.0);
   const auto button = [&](const char* name, const char* hint) {
     ImGui::SetCursorScreenPos({x, y});

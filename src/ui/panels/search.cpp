@@ -49,7 +49,7 @@ bool row(const SearchResult& result, bool highlighted) {
 }
 
 // Returns the one that was clicked; null: none.
-SearchResult* rows(std::vector<SearchResult>& found, const Search& search, const Layout& layout) {
+SearchResult* result_rows(std::vector<SearchResult>& found, const Search& search, const Layout& layout) {
   SearchResult* clicked = nullptr;
   const double available =
       (layout.page.y + layout.page.height) / units(row_height) - ImGui::GetCursorScreenPos().y / units(row_height) - 0.7;
@@ -100,7 +100,7 @@ void build_search(const PanelInput& input, Panels& panels, Requests& requests) {
   SearchResult* chosen = accepted && !found.empty() ? &found[static_cast<std::size_t>(search.highlighted)] : nullptr;
   if (found.empty()) dim_text("No matching command");
 
-  if (SearchResult* clicked = rows(found, search, input.layout)) chosen = clicked;
+  if (SearchResult* clicked = result_rows(found, search, input.layout)) chosen = clicked;
 
   // a click elsewhere closes it
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows)) search.shown = false;

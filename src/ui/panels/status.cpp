@@ -48,7 +48,8 @@ float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str(
 // What is being written to a file, shown in red.
 std::string recording_text(const PanelInput& input) {
   std::string taken;
-  if (input.film_seconds >= 0.0) taken = "\u25cf film " + number_text(std::floor(input.film_seconds)) + " s    ";
+  if (input.film_seconds >= 0.0)
+    taken = "\u25cf film " + number_text(std::floor(input.film_seconds)) + " s, " + key_text(shortcut_of(Action::FilmOnOff)) + " stops    ";
   if (!input.status.recording.file.empty()) taken += "\u25cf recording    ";
   if (input.status.recording.playback_progress > 0.0)
     taken += "replay " + number_text(std::round(100.0 * input.status.recording.playback_progress)) + " %    ";
