@@ -63,6 +63,7 @@ void App::handle(const Request& request) {
                  [this](const ShowFailure&) { show_failure(); },
                  [this](const StartExport&) { exporter_.start(); },
                  [this](const StopExport&) { exporter_.stop(); },
+                 [this](const Select& select) { selection_ = select.selection; },
                  [this](const StartPlacement& start) { start_placement(start); },
                  [](const CloseDialog&) {},
                  [this](const LoadMesh& load) { placer_.read_mesh(typed_path(load.file)); },
@@ -111,13 +112,13 @@ void App::cancel() {
 }
 
 void App::compare_methods() {
-  panels_.show_at_left(&panels_.comparison_shown);
+  panels_.show_at_left(&panels_.shown.comparison);
   work_.ghosts.set({}, status(), lab_);
   start_comparison(work_.comparison, status());
 }
 
 void App::check_result() {
-  panels_.show_at_left(&panels_.result_check_shown);
+  panels_.show_at_left(&panels_.shown.result_check);
   work_.ghosts.set({}, status(), lab_);
   start_result_check(work_.result_check, status(), work_.forecaster.newest());
 }
@@ -164,11 +165,17 @@ void App::open_search() {
 }
 
 void App::show_or_hide_plots() {
-  panels_.plots_shown = !panels_.plots_shown;
-  if (!panels_.plots_shown) return;
+  panels_.table.is_shown = false;
+  panels_.plots.is_shown = !panels_.plots.is_shown;
+  if (!panels_.plots.is_shown) return;
   const double width = layout_.menu.width, height = layout_.status.y + layout_.status.height;
   if (lay_out(width, height, tool_context_.scale, {.plots = true}).plots.height == 0.0)
     panels_.show_toast("The window is not high enough for plots");
+}
+
+void App::show_or_hide_table() {
+  panels_.plots.is_shown = false;
+  panels_.table.is_shown = !panels_.table.is_shown;
 }
 
 void App::show_messages() {

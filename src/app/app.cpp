@@ -44,7 +44,7 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const H
 void App::resize(const glm::dvec2& size, double scale) {
   layout_ = lay_out(size.x, size.y, scale,
                     {.panels = !panels_.panels_hidden,
-                     .plots = panels_.plots_shown,
+                     .plots = panels_.plots.is_shown || panels_.table.is_shown,
                      .strain_legend = shows_strain_colors(tool_context_.system(), panels_.view)});
   tool_context_.size = {layout_.scene.width, layout_.scene.height};
   tool_context_.scale = scale;
@@ -110,17 +110,13 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
   return {.status = status(),
           .selection = selection_,
           .layout = layout_,
-          .tools = tool_buttons(),
-          .tool = tool_.action(),
-          .next_step = tool_.next_step(),
+          .tool = {tool_buttons(), tool_.action(), tool_.next_step(), tool_.rubber_band(layout_.scene), tool_.stroke()},
           .file = document_.file(),
           .folder = panels_.placement.is_mesh ? document_.start_folder() : std::filesystem::path(),
           .frames_per_second = frame_statistics.frames_per_second,
           .draw_ms = frame_statistics.draw_ms,
           .waiting_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - tool_context_.frame_seen).count(),
           .film_seconds = captures_.film_seconds(),
-          .rubber_band = tool_.rubber_band(layout_.scene),
-          .stroke = tool_.stroke(),
           .recent = document_.recent_files(),
           .recovered = document_.recovery_entries(),
           .keys = panel_keys_,
@@ -128,12 +124,7 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
           .export_work = exporter_.progress(),
           .has_desktop_dialog = document_.has_system_dialog(),
           .camera = tool_context_.camera,
-          .forecast = &work_.forecaster.newest(),
-          .advice = work_.advisor.newest(),
-          .remedy = work_.remedy.status(),
-          .comparison = work_.comparison.status(),
-          .result_check = work_.result_check.status(),
-          .stretch = work_.stretch.status(),
+          .results = work_.results(),
           .marks = &marks_};
 }
 
@@ -155,7 +146,7 @@ void App::update_marks() {
 
 // What the laboratory measures for the plots is what the document plots.
 void App::follow_plots() {
-  if (!panels_.plots_shown) return;
+  if (!panels_.plots.is_shown) return;
   const auto& traces = status().timeline.traces->traces;
   std::vector<Quantity> wanted = plotted(*status().document, tool_context_.system());
   const auto is_same = [](const Trace& trace, const Quantity& quantity) { return trace.quantity.name() == quantity.name(); };
@@ -167,12 +158,12 @@ void App::show(const Scene& scene) {
   tool_.reset();
   selection_ = {};
   panels_.gallery.is_shown = false;
-  panels_.side_to_top = true;
+  panels_.side.to_top = true;
   placer_.stop();
   camera_control_.show(scene);
   take_switches(scene.view);
   panels_.ghosts = {};
-  panels_.lesson_steps_done = 0;
+  panels_.side.lesson_steps_done = 0;
   work_.clear(status(), lab_);
 }
 
@@ -184,7 +175,7 @@ void App::take_switches(const ViewSettings& view) {
   panels_.view.strain_colors = view.strain_colors;
   panels_.view.coils = view.coils;
   panels_.view.shadows = view.shadows;
-  panels_.plots_shown = panels_.plots_shown || !view.plots.empty();
+  panels_.plots.is_shown = panels_.plots.is_shown || !view.plots.empty();
   tool_context_.shows_surface = view.surface;
 }
 

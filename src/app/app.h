@@ -81,6 +81,8 @@ class App {
 
  private:
   KeyHandlers make_key_handlers();
+  bool press_in_gallery(const KeyPress& press);
+  bool perform_shortcut(const KeyPress& press);
   void drop(const FileDrop& dropped);
   void perform(Action action, bool repeated = false);
   enum class TunedBy { StiffnessKeys, SubstepKeys, SpeedKeys };
@@ -95,6 +97,7 @@ class App {
   void cancel();
   void open_search();
   void show_or_hide_plots();
+  void show_or_hide_table();
   void follow_plots();
   void show_messages();
   void choose_texture(const std::string& typed);

@@ -43,4 +43,16 @@ constinit const FileKind plots_file{.extension = ".csv",
                                     .label = "Plots",
                                     .description = "The plotted quantities, as far back as the history reaches."};
 
+constinit const FileKind plots_svg_file{.extension = ".svg",
+                                        .title = "Plots",
+                                        .source = ExportSource::Plots,
+                                        .label = "Plots as a chart",
+                                        .description = "What the plots show, with gnuplot."};
+
+constinit const FileKind plots_png_file{.extension = ".png",
+                                        .title = "Plots",
+                                        .source = ExportSource::Plots,
+                                        .label = "Plots as a picture",
+                                        .description = "What the plots show, with gnuplot."};
+
 }  // namespace hooke

@@ -32,6 +32,7 @@ enum class ExportSource {
   Frames,   // each frame from now on: `open_frames`
   Plots,    // the plotted quantities, which the window has
   Picture,  // the current view, which the window draws
+  Film,     // the window from now on
 };
 
 struct FileKind {

@@ -91,4 +91,16 @@ constinit const FileKind png_file{.extension = ".png",
                                   .label = "Picture",
                                   .description = "The current view of the scene, or the window."};
 
+constinit const FileKind film_file{.extension = ".mp4",
+                                   .title = "Film",
+                                   .source = ExportSource::Film,
+                                   .label = "Film",
+                                   .description = "The view from now on, until F12; needs ffmpeg."};
+
+constinit const FileKind animation_file{.extension = ".png",
+                                        .title = "Animated picture",
+                                        .source = ExportSource::Film,
+                                        .label = "Animated picture",
+                                        .description = "The view from now on, until F12. Browsers play it."};
+
 }  // namespace hooke

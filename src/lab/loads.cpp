@@ -13,9 +13,7 @@ Loads compute_loads(const Lab& lab) {
   const State& state = lab.scene().state;
   Loads loads;
   for (const Spring& spring : system.springs()) {
-    const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
-    const double extension = length - system.rest_length_of(spring, state.time), stiffness = system.stiffness_of(spring);
-    loads.tension.push_back(spring.law ? response_of(*spring.law, stiffness, extension).tension : stiffness * extension);
+    loads.tension.push_back(tension(system, state, spring));
     loads.energy.push_back(elastic_energy(system, state, spring));
   }
 

@@ -24,6 +24,16 @@ double length_of(const Measurement& m, Index s) {
                      m.state.position[static_cast<std::size_t>(m.system.index_of(spring.first))]);
 }
 
+// With its dashpot.
+double force_of(const Measurement& m, Index s) {
+  const Spring spring = spring_at(m, s);
+  const auto a = static_cast<std::size_t>(m.system.index_of(spring.first)), b = static_cast<std::size_t>(m.system.index_of(spring.second));
+  const Vec3 along = m.state.position[b] - m.state.position[a];
+  const double length = glm::length(along);
+  const double rate = length > 0.0 ? glm::dot(m.state.velocity[b] - m.state.velocity[a], along) / length : 0.0;
+  return tension(m.system, m.state, spring) + m.system.damping_of(spring) * rate;
+}
+
 // Of the free points.
 Vec3 center_of_mass(const Measurement& m) {
   Vec3 sum(0.0);
@@ -156,6 +166,7 @@ constexpr std::array rows{
     QuantityRow{"length", "m", Of::Spring, "Length of a spring", length_of},
     QuantityRow{"strain", "1", Of::Spring, "Strain of a spring",
                 [](const Measurement& m, Index s) { return strain(m.system, m.state, spring_at(m, s)); }},
+    QuantityRow{"force", "N", Of::Spring, "Tension of a spring with its dashpot; negative: compression", force_of},
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ float& content_height() { return *ImGui::GetStateStorage()->GetFloatRef(ImGui::G
 
 double left_panel_width(const PanelInput& input, const Panels& panels, double desired) {
   constexpr double edges = 3.0 * 14.0, min = 380.0;  // [design units]
-  if (!panels.accuracy_shown) return desired;
+  if (!panels.shown.accuracy) return desired;
   const double room = input.layout.scene.width / units(1.0) - accuracy_panel_width - edges;
   return room < min ? desired : std::min(desired, room);
 }

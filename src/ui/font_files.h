@@ -17,4 +17,11 @@ inline std::filesystem::path font_file(const char* name) {
   return {};
 }
 
+// Chinese, Japanese and Korean, of the package fonts-noto-cjk; empty: it is not installed.
+inline std::filesystem::path far_font_file() {
+  const std::filesystem::path file = "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc";
+  std::error_code error;
+  return std::filesystem::is_regular_file(file, error) ? file : std::filesystem::path();
+}
+
 }  // namespace hooke

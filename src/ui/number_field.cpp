@@ -109,10 +109,10 @@ bool is_stray_click(const NumberField& field, Panels& panels) {
   constexpr double near_handle = 16.0, drag = 3.0;  // [design units]
   if (ImGui::IsItemActivated()) {
     const float handle = ImGui::GetItemRectMin().x + static_cast<float>(fraction_of(field)) * ImGui::GetItemRectSize().x;
-    panels.slider_waits = std::abs(ImGui::GetIO().MousePos.x - handle) > units(near_handle);
+    panels.field.slider_waits = std::abs(ImGui::GetIO().MousePos.x - handle) > units(near_handle);
   }
-  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, units(drag))) panels.slider_waits = false;
-  return panels.slider_waits && (ImGui::IsItemActive() || ImGui::IsItemDeactivated());
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, units(drag))) panels.field.slider_waits = false;
+  return panels.field.slider_waits && (ImGui::IsItemActive() || ImGui::IsItemDeactivated());
 }
 
 bool slider(const NumberField& field, double& value, bool typing) {
@@ -149,23 +149,23 @@ std::optional<NumberChange> changed_row(const NumberField& field, Panels& panels
   begin_row(std::string(field.label));
   const ImGuiID id = ImGui::GetID("##value");
   double value = field.value;
-  bool changed = slider(field, value, panels.typing == id);
+  bool changed = slider(field, value, panels.field.typing == id);
   const bool typing = ImGui::IsItemActive() && ImGui::GetIO().WantTextInput;
   if (typing)
-    panels.typing = id;
-  else if (panels.typing == id)
-    panels.typing = 0;
+    panels.field.typing = id;
+  else if (panels.field.typing == id)
+    panels.field.typing = 0;
   if (!typing) draw_slider(field);
   bool is_drag = !typing;
   if (is_stray_click(field, panels) && !typing) changed = false;
 
   // an unfinished number is ignored
-  if (changed && typing) panels.typed_number = value;
+  if (changed && typing) panels.field.typed_number = value;
   if (typing) changed = false;
-  if (ImGui::IsItemDeactivatedAfterEdit() && panels.typed_number) {
-    value = *panels.typed_number;
+  if (ImGui::IsItemDeactivatedAfterEdit() && panels.field.typed_number) {
+    value = *panels.field.typed_number;
     is_drag = false;
-    panels.typed_number.reset();
+    panels.field.typed_number.reset();
     changed = !std::isnan(value);
     if (!changed)
       panels.show_toast("Not a number; " + std::string(field.label) + " is unchanged");

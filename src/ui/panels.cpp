@@ -18,9 +18,9 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
   const bool moves_focus = panels.dialog.kind != Dialog::Kind::None || panels.menus.is_open || panels.export_state.is_shown;
   int& flags = ImGui::GetIO().ConfigFlags;
   flags = moves_focus ? flags | ImGuiConfigFlags_NavEnableKeyboard : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
-  if (!ImGui::IsAnyItemActive()) panels.edit_in_progress = false, panels.tuned_from.reset();
+  if (!ImGui::IsAnyItemActive()) panels.field.edit_in_progress = false, panels.field.tuned_from.reset();
   panels.floating.clear();
-  panels.time_under_mouse = std::exchange(panels.next_time_under_mouse, std::nullopt);
+  panels.plots.time_under_mouse = std::exchange(panels.plots.next_time_under_mouse, std::nullopt);
   build_menu(input, panels, requests);
   build_status_bar(input);
   if (panels.gallery.is_shown) {
@@ -30,7 +30,7 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
       build_toolbar(input, requests);
       build_side(input, panels, requests);
     }
-    build_plots(input, panels, requests);
+    panels.table.is_shown ? build_part_table(input, panels, requests) : build_plots(input, panels, requests);
     build_timeline(input, panels, requests);
     build_overlays(input, panels, requests);
     build_axes(input, panels, requests);
@@ -45,7 +45,8 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
   build_keys(input, panels);
   build_search(input, panels, requests);
   build_dialogs(input, panels, requests);
-  panels.text_in_progress = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+  if (const std::string hint = missing_font(); !hint.empty()) panels.show_toast(hint);
+  panels.field.text_in_progress = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
 }
 
 int PanelInput::presses(PanelKey::Target target, Key key) const {

@@ -73,21 +73,35 @@ struct ResultStatus {
   std::shared_ptr<const Result> result;  // of the last one; null: none
 };
 
+// What was computed about the scene in the background.
+struct BackgroundResults {
+  const Forecast* forecast = nullptr;  // null if there is none
+  std::optional<CostAdvice> advice{};  // none: not computed yet
+  RemedyStatus remedy{};
+  ResultStatus<MethodComparison> comparison{};
+  ResultStatus<ResultCheck> result_check{};
+  ResultStatus<StretchBreakdown> stretch{};
+};
+
+struct ToolInput {
+  std::span<const ToolButton> buttons;
+  Action action;                      // of the current tool
+  std::string next_step{};            // "click the second point, Esc cancels"
+  std::optional<Rect> rubber_band{};  // of a selection in progress, in window coordinates
+  std::vector<glm::dvec2> stroke{};   // of a cut or a lasso in progress, relative to the corner of the scene
+};
+
 // The input of the panels, constant while a frame is built.
 struct PanelInput {
   const Status& status;
   const Selection& selection;
   Layout layout;
-  std::span<const ToolButton> tools;
-  Action tool;                     // the current one
-  std::string next_step;           // of the tool: "click the second point, Esc cancels"
+  ToolInput tool;
   std::filesystem::path file;      // of the document; empty if it has none
   std::filesystem::path folder{};  // where file dialogs start
   double frames_per_second = 0.0, draw_ms = 0.0;
   double waiting_seconds = 0.0;                   // for the frame in progress; 0: paused
   double film_seconds = -1.0;                     // length of the film in progress; negative if none
-  std::optional<Rect> rubber_band;                // of a selection in progress, in window coordinates
-  std::vector<glm::dvec2> stroke;                 // of a cut in progress, relative to the corner of the scene
   std::span<const std::filesystem::path> recent;  // files, newest first
   std::span<const RecoveryEntry> recovered;
   std::span<const PanelKey> keys;  // pressed since the last frame
@@ -95,12 +109,7 @@ struct PanelInput {
   ExportWork export_work{};
   bool has_desktop_dialog = false;
   Camera camera{};
-  const Forecast* forecast = nullptr;  // null if there is none
-  std::optional<CostAdvice> advice{};  // none: not computed yet
-  RemedyStatus remedy{};
-  ResultStatus<MethodComparison> comparison{};
-  ResultStatus<ResultCheck> result_check{};
-  ResultStatus<StretchBreakdown> stretch{};
+  BackgroundResults results{};
   const Marks* marks = nullptr;  // of the last frame; null: none
 
   // The number of times that the key was pressed for the panel since the last frame.
@@ -176,10 +185,20 @@ struct Messages {
 
 // What the plots show.
 struct PlotView {
+  bool is_shown = false;
   double seconds = 1e9;                          // [s], maximum time span
   std::optional<double> end;                     // [s], end of the time span; without a value it follows the newest time
   bool is_dragged = false;                       // since the mouse was pressed over a plot
+  bool shows_spectrum = false;                   // amplitudes over the frequency, of the visible time span
   std::array<std::optional<double>, 2> cursors;  // [s], A and B
+  // [s], over a plot or the timeline, which both mark it; of the next frame
+  std::optional<double> time_under_mouse, next_time_under_mouse;
+};
+
+// The table of points or springs, in place of the plots.
+struct PartTable {
+  bool is_shown = false, of_springs = false;
+  std::vector<Index> order;  // of the rows
 };
 
 // The menus of the menu bar, and open lists.
@@ -189,49 +208,64 @@ struct Menus {
   bool on_submenu = false;   // the focus is on an item that opens another menu
 };
 
+struct Banners {
+  std::optional<double> dismissed;  // time of the divergence whose banner was closed [s]
+  std::string file_warnings;        // about the opened file
+  std::string file_notice;          // the file changed on disk
+  bool file_is_missing = false;
+};
+
+// The slider or text field in use.
+struct FieldState {
+  bool text_in_progress = false;             // a text field has the keyboard
+  bool edit_in_progress = false;             // the active slider has already made an edit
+  std::shared_ptr<const System> tuned_from;  // by a drag that scales different values; null: there is none
+  bool slider_waits = false;                 // pressed far from its handle, and not dragged yet
+  std::optional<double> typed_number;        // into a slider, unfinished
+  unsigned typing = 0;                       // ImGui's id of the slider or field being typed into
+  std::string typed_text;                    // into the field, unfinished
+};
+
+struct SideState {
+  bool to_top = true;              // scroll the side panel up and open its groups: another scene was opened
+  unsigned lesson_steps_done = 0;  // one bit for each step of the lesson that is open
+  AffectedPartsCache affected_parts;
+};
+
+struct TimelineState {
+  bool scrub_in_progress = false;  // the scrubber is being dragged
+  double run_to = 10.0;            // [s], last time typed
+};
+
 struct Panels {
   ViewOptions view;
   Dialog dialog;
   std::deque<Dialog> waiting;  // dialogs that open one after the other
   Search search;
-  bool keys_shown = false;
   Gallery gallery;
   Placement placement;
   ExportState export_state;
   Menus menus;
   Messages messages;
-  std::optional<double> dismissed;  // time of the divergence whose banner was closed [s]
-  std::string file_warnings;        // about the opened file
-  std::string file_notice;          // the file changed on disk
-  bool file_is_missing = false;
-  bool text_in_progress = false;             // a text field has the keyboard
-  bool edit_in_progress = false;             // the active slider has already made an edit
-  std::shared_ptr<const System> tuned_from;  // by a drag that scales different values; null: there is none
-  bool slider_waits = false;                 // pressed far from its handle, and not dragged yet
-  bool side_to_top = true;                   // scroll the side panel up and open its groups: another scene was opened
+  Banners banners;
+  FieldState field;
   Look look = Look::Dark;
   bool panels_hidden = false;  // all but the menu and status bars
-  bool plots_shown = false;
-  bool accuracy_shown = false;
-  bool comparison_shown = false;
-  bool result_check_shown = false;
-  unsigned lesson_steps_done = 0;  // one bit for each step of the lesson that is open
+  struct {
+    bool keys = false, accuracy = false, comparison = false, result_check = false;
+  } shown;
+  SideState side;
   Ghosts ghosts;
   PlotView plots;
-  std::optional<double> time_under_mouse, next_time_under_mouse;  // [s], over a plot or the timeline, which both mark it; of the next frame
-  bool scrub_in_progress = false;                                 // the scrubber is being dragged
-  double run_to = 10.0;                                           // [s], last time typed
-  std::optional<double> typed_number;                             // into a slider, unfinished
-  unsigned typing = 0;                                            // ImGui's id of the slider or field being typed into
-  std::string typed_text;                                         // into the field, unfinished
-  std::vector<Rect> floating;                                     // panels over the scene in the last frame
-  AffectedPartsCache affected_parts;
+  PartTable table;
+  TimelineState timeline;
+  std::vector<Rect> floating;  // panels over the scene in the last frame
 
   // Of the panels at the left edge of the scene only one is shown.
-  void show_at_left(bool* shown) {
-    comparison_shown = result_check_shown = messages.is_shown = false;
+  void show_at_left(bool* panel) {
+    shown.comparison = shown.result_check = messages.is_shown = false;
     ghosts = {};
-    *shown = true;
+    *panel = true;
   }
   // The second is not in the log: a value while it is tuned.
   void show_toast(std::string line) {
@@ -279,6 +313,7 @@ void build_collider(const PanelInput& input, Panels& panels, Requests& requests)
 std::optional<Collider> collider_rows(const Collider& collider, int dimensions, Panels& panels);
 // The law of these springs.
 void build_spring_law(const PanelInput& input, const std::vector<Index>& springs, Panels& panels, Requests& requests);
+void build_arrange(const PanelInput& input, Panels& panels, Requests& requests);
 // What stretches the selected springs.
 void build_stretch(const PanelInput& input, Requests& requests);
 void build_parameters(const PanelInput& input, Panels& panels, Requests& requests);
@@ -288,6 +323,11 @@ inline bool has_forces_first(const PanelInput& input) { return !input.status.doc
 void build_forces(const PanelInput& input, Panels& panels, Requests& requests);
 // What is plotted: of the document, or by default the energies.
 std::vector<Quantity> plotted(const DocumentStatus& document, const System& system);
+// The visible time span [s]; the table must have times.
+std::pair<double, double> shown_times(const TraceTable& table, const Panels& panels);
+// The list of quantities to plot.
+void build_plot_choices(const PanelInput& input, Requests& requests);
+void build_part_table(const PanelInput& input, Panels& panels, Requests& requests);
 void build_plots(const PanelInput& input, Panels& panels, Requests& requests);
 void build_timeline(const PanelInput& input, Panels& panels, Requests& requests);
 void build_history(const PanelInput& input, Requests& requests);

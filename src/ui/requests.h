@@ -10,6 +10,7 @@
 #include "formats/import_options.h"
 #include "lab/controls.h"
 #include "scene/collider_kinds.h"
+#include "scene/selection.h"
 #include "scene/shape.h"
 #include "ui/actions.h"
 
@@ -72,6 +73,9 @@ struct ShowFailure {};
 // Export what panels.export_state describes, or stop the export in progress.
 struct StartExport {};
 struct StopExport {};
+struct Select {
+  Selection selection;
+};
 // Show a shape, or a mesh where `shape` is null, which is moved before it is placed. `in_space`: first make a flat scene 3-D.
 struct StartPlacement {
   const ShapeKind* shape;
@@ -102,7 +106,7 @@ enum class Answer {
 using RequestVariant =
     std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, OpenSystemDialog, LookFrom, Recover, DiscardRecovery,
                  CancelWork, StopComparison, StopResultCheck, ExplainStretch, SaveComparison, SetGhosts, ShowFailure, StartExport,
-                 StopExport, StartPlacement, CloseDialog, LoadMesh, Place, StopPlacement, Answer>;
+                 StopExport, Select, StartPlacement, CloseDialog, LoadMesh, Place, StopPlacement, Answer>;
 // Copies are compiled once, in panels.cpp.
 struct Request : RequestVariant {
   using RequestVariant::RequestVariant;

@@ -52,6 +52,7 @@ class ResultFinder {
     for (const ActionRow& row : actions()) add_action(row);
     // without a search text, only commands: other results would hide them
     if (typed_.find_first_not_of(' ') != std::string::npos) {
+      for (const ShippedScene& scene : shipped_scenes()) add_scene(scene);
       const auto rows = parameters();
       for (std::size_t i = 0; i < rows.size(); ++i)
         if (const double value = input_.status.document->parameter_values[i]; !std::isnan(value)) add_parameter(rows[i], value);
@@ -59,7 +60,6 @@ class ResultFinder {
       add_shape("From a mesh", nullptr);
       for (const ColliderKind& kind : collider_kinds())
         add("Add " + std::string(kind.label), "collider", {StartPlacement{nullptr, false, &kind}}, "obstacle");
-      for (const ShippedScene& scene : shipped_scenes()) add_scene(scene);
       add("Use method " + std::string(automatic_method().label), "method tolerance auto", {Edit{SetIntegrator{&automatic_method()}}});
       for (const Integrator& method : integrators())
         add("Use method " + std::string(method.label), "method", {Edit{SetIntegrator{&method}}});
@@ -147,8 +147,11 @@ int match(std::string_view text, std::string_view typed) {
   for (std::string word; words >> word;) {
     const std::size_t at = all.find(word);
     if (at == std::string::npos) return 0;
-    if (at == 0) score += 2;
-    if (at > 0 && all[at - 1] == ' ') score += 1;
+    // at the beginning of what the verb before it names: "Open Cloth on a ball"
+    if (at == 0 || at == all.find(' ') + 1)
+      score += 2;
+    else if (all[at - 1] == ' ')
+      score += 1;
   }
   return score;
 }

@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include <string>
+#include <string_view>
+
 #include "sim/model/system.h"
 
 namespace hooke {
@@ -30,6 +33,12 @@ struct Fonts {
 // Loads style and fonts into the current context: DejaVu Sans if it is installed, otherwise the built-in font of ImGui. `scale`: window
 // units per design unit; `density`: framebuffer pixels per window unit.
 void load_theme(double scale, double density);
+
+// Text that is shown, whose Chinese, Japanese and Korean characters are loaded by the next `load_theme`, and whether one is due for them.
+void follow_text(std::string_view text);
+bool needs_fonts();
+// What to install for them, once; empty: nothing.
+std::string missing_font();
 
 const Fonts& fonts();
 // Converts design units to window units.

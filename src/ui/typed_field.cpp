@@ -65,25 +65,30 @@ std::optional<double> number_typed(std::string_view text, std::string_view infin
 
 std::optional<double> typed_row(const TypedField& field, Panels& panels) {
   begin_row(std::string(field.label));
-  const ImGuiID id = ImGui::GetID("##typed");
   const float unit_width =
       field.unit.empty() ? 0.0f : ImGui::CalcTextSize(field.unit.data(), field.unit.data() + field.unit.size()).x + units(10.0);
-  const float width = ImGui::GetContentRegionAvail().x - unit_width, room = width - 2.0f * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetNextItemWidth(width);
-  std::string text = panels.typing == id ? panels.typed_text : shown(field);
-  const bool edited = ImGui::InputTextWithHint("##typed", hint_of(field, room).c_str(), &text, ImGuiInputTextFlags_AutoSelectAll);
-  if (ImGui::IsItemActive() || edited) {
-    panels.typing = id;
-    panels.typed_text = text;
-  }
-  const bool finished = ImGui::IsItemDeactivatedAfterEdit();
-  if (!ImGui::IsItemActive()) {
-    if (panels.typing == id) panels.typing = 0;
-    tooltip(std::string(field.description));
-  }
+  const auto value = typed_cell(field, ImGui::GetContentRegionAvail().x - unit_width, panels);
   if (unit_width > 0.0f) {
     ImGui::SameLine(0.0f, units(6.0));
     dim_text(std::string(field.unit));
+  }
+  return value;
+}
+
+std::optional<double> typed_cell(const TypedField& field, float width, Panels& panels) {
+  const ImGuiID id = ImGui::GetID("##typed");
+  const float room = width - 2.0f * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(width);
+  std::string text = panels.field.typing == id ? panels.field.typed_text : shown(field);
+  const bool edited = ImGui::InputTextWithHint("##typed", hint_of(field, room).c_str(), &text, ImGuiInputTextFlags_AutoSelectAll);
+  if (ImGui::IsItemActive() || edited) {
+    panels.field.typing = id;
+    panels.field.typed_text = text;
+  }
+  const bool finished = ImGui::IsItemDeactivatedAfterEdit();
+  if (!ImGui::IsItemActive()) {
+    if (panels.field.typing == id) panels.field.typing = 0;
+    if (!field.description.empty()) tooltip(std::string(field.description));
   }
   if (!finished) return std::nullopt;
   const auto value = taken(field, text, panels);
@@ -92,16 +97,17 @@ std::optional<double> typed_row(const TypedField& field, Panels& panels) {
 
 bool text_field(std::string& text, float lines, Panels& panels) {
   const ImGuiID id = ImGui::GetID("##text");
-  if (panels.typing == id) text = panels.typed_text;
+  if (panels.field.typing == id) text = panels.field.typed_text;
+  follow_text(text);
   const float height = std::max(1.0f, lines) * ImGui::GetTextLineHeight() + units(8.0);
   ImGui::SetNextItemWidth(-1.0f);
   const bool edited = lines > 0.0f ? ImGui::InputTextMultiline("##text", &text, {-1.0f, height}) : ImGui::InputText("##text", &text);
   const bool finished = ImGui::IsItemDeactivatedAfterEdit();
   if (ImGui::IsItemActive() || edited) {
-    panels.typing = id;
-    panels.typed_text = text;
-  } else if (panels.typing == id) {
-    panels.typing = 0;
+    panels.field.typing = id;
+    panels.field.typed_text = text;
+  } else if (panels.field.typing == id) {
+    panels.field.typing = 0;
   }
   return finished;
 }

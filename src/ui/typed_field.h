@@ -22,6 +22,8 @@ std::optional<double> number_typed(std::string_view text, std::string_view infin
 
 // Returns the new value, clamped to the range, once it is confirmed by Enter, Tab or a click elsewhere; Esc discards it.
 std::optional<double> typed_row(const TypedField& field, Panels& panels);
+// The same without label and unit, of this width.
+std::optional<double> typed_cell(const TypedField& field, float width, Panels& panels);
 
 // A field for a text of this many lines; 0: of a single one. Returns true, and the new text, once it is confirmed.
 bool text_field(std::string& text, float lines, Panels& panels);

@@ -35,6 +35,20 @@ void begin_tab_stops() {
 }
 void end_tab_stops() { ImGui::PopItemFlag(); }
 
+void begin_front_box(const char* name, ImVec2 padding) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
+  ImGui::Begin(name, nullptr, front_box);
+}
+
+void end_front_box() {
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
 bool begin_panel(const char* name, const Rect& place, ImGuiWindowFlags flags) {
   ImGui::SetNextWindowPos(corner(place));
   ImGui::SetNextWindowSize(extent(place));
@@ -111,6 +125,7 @@ void progress_bar(double fraction, double seconds, float width) {
 }
 
 void text_in(ImU32 color, const std::string& text) {
+  follow_text(text);
   ImGui::PushStyleColor(ImGuiCol_Text, color);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopStyleColor();

@@ -45,6 +45,10 @@ void end_tab_stops();
 // Begins a panel that fills a rectangle of the window.
 bool begin_panel(const char* name, const Rect& place, ImGuiWindowFlags flags = 0);
 
+// Begins and ends a box in front of the panels, whose place and size were set before.
+void begin_front_box(const char* name, ImVec2 padding);
+void end_front_box();
+
 // A flat button with an icon; `active` tints it, as for the current tool.
 bool icon_button(const char* id, Icon icon, ImVec2 size, bool active = false, bool enabled = true);
 

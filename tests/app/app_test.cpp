@@ -256,7 +256,7 @@ TEST(Keys, AHeldKeyDoesNotRepeatOneShotActions) {
   EXPECT_TRUE(gui.status().run.running);
   gui.key(Key::F1);
   gui.key(Key::F1, {}, true);
-  EXPECT_TRUE(gui.app().panels().keys_shown);
+  EXPECT_TRUE(gui.app().panels().shown.keys);
 }
 
 TEST(Keys, SelectAllAndDelete) {
@@ -276,7 +276,7 @@ TEST(Keys, EscLeavesTheInnermostModeAndNeverQuits) {
   gui.key(letter('N'));
   gui.key(Key::F1);
   gui.key(Key::Escape);
-  EXPECT_FALSE(gui.app().panels().keys_shown);
+  EXPECT_FALSE(gui.app().panels().shown.keys);
   EXPECT_FALSE(gui.app().selection().empty());
   gui.key(Key::Escape);
   EXPECT_TRUE(gui.app().selection().empty());

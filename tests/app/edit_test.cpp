@@ -238,6 +238,7 @@ TEST(Search, FindsScenesPartsMethodsAndParametersWithValues) {
   EXPECT_EQ(found_by(gui, "restitution 7").front().remark, "0 to 1");
   EXPECT_EQ(first("restitution"), "Restitution: 0");
   EXPECT_TRUE(finds("rope", "Open Rope"));
+  EXPECT_TRUE(first("cloth").starts_with("Open Cloth")) << first("cloth");
   for (const ShapeKind& kind : placeable_shapes()) EXPECT_TRUE(finds(std::string(kind.label), "Add " + std::string(kind.label)));
   EXPECT_EQ(first("damped springs"), "Switch Damped springs off");
   EXPECT_TRUE(finds("xpbd", "Use method " + std::string(find_integrator("xpbd")->label)));

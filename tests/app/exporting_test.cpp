@@ -161,5 +161,22 @@ TEST(Export, WritesNothingIfCanceled) {
   EXPECT_FALSE(std::filesystem::exists(csv.file(".csv")));
 }
 
+TEST(Export, PlotsAreDrawnAsAChart) {
+  for (const bool spectrum : {false, true}) {
+    Export svg("two_masses", ".svg");
+    svg.gui().key(Key::Escape);
+    svg.gui().key(letter('P'));
+    svg.gui().key(Key::Space);
+    ASSERT_TRUE(svg.gui().wait_until([&] { return svg.gui().status().snapshot->state.time > 0.5; }));
+    svg.gui().key(Key::Space);
+    svg.gui().app().panels().plots.shows_spectrum = spectrum;
+    svg.box().is_shown = true;
+    svg.gui().frames(2);
+    svg.leave_field();
+    svg.run();
+    EXPECT_NE(contents(svg.file(".svg")).find(spectrum ? "frequency [Hz]" : "time [s]"), std::string::npos) << svg.dialog().text;
+  }
+}
+
 }  // namespace
 }  // namespace hooke

@@ -8,6 +8,8 @@
 #include <fstream>
 
 #include "base/errors.h"
+#include "formats/png_picture.h"
+#include "support/contents.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
@@ -70,6 +72,33 @@ TEST(FilmWriter, RemovesAnUnfinishedFilmEvenIfFfmpegReadsNothing) {
   }
   EXPECT_FALSE(fs::exists(ffmpeg.film()));
   EXPECT_EQ(std::distance(fs::directory_iterator(ffmpeg.scratch.folder), {}), 1) << "only the fake ffmpeg";
+}
+
+TEST(FilmWriter, WritesAnimatedPicturesWithoutFfmpeg) {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.folder / "film.png";
+  {
+    FilmWriter writer(file, 64, 36, 30.0);
+    Picture picture = gray(64, 36);
+    EXPECT_TRUE(writer.add(picture, 3));
+    picture.pixels[300] = 7;
+    EXPECT_TRUE(writer.add(picture, 1));
+    writer.end();
+    while (!writer.result()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_EQ(*writer.result(), "");
+  }
+  const std::string bytes = contents(file);
+  const auto begin = bytes.find("acTL");
+  ASSERT_NE(begin, std::string::npos);
+  EXPECT_EQ(bytes[begin + 7], 2) << "pictures";
+  // the sequence is 0 fcTL, 1 fcTL, 2 fdAT; the first is shown for 0.1 s
+  const auto first = bytes.find("fcTL"), second = bytes.find("fcTL", first + 4), data = bytes.find("fdAT");
+  ASSERT_NE(data, std::string::npos);
+  EXPECT_EQ(bytes[first + 7], 0);
+  EXPECT_EQ(bytes[second + 7], 1);
+  EXPECT_EQ(bytes[data + 7], 2);
+  EXPECT_EQ(bytes[first + 25], 100);
+  EXPECT_EQ(decode_png(bytes, "film.png").width, 64) << "a program that knows no animation shows the first picture";
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(KeyHandlers, AMenuTakesEscapeBeforeTheSelection) {
 TEST(KeyHandlers, ATextFieldPassesOnOnlyF1AndControlCombinations) {
   GuiFixture gui(two_masses());
   gui.app().handle(Request(StartPlacement{nullptr}));
-  gui.app().panels().text_in_progress = true;
+  gui.app().panels().field.text_in_progress = true;
   const KeyHandlers& handlers = gui.app().key_handlers();
   for (const Key key : {Key::Escape, Key::Enter, Key::Space, letter('V'), Key::Up})
     EXPECT_EQ(dispatch(handlers, {key, {}}), "text field") << static_cast<int>(key);

@@ -39,9 +39,9 @@ TEST(Messages, AreKeptInALog) {
   GuiFixture gui(hanging());
   gui.app().panels().show_toast("The first message");
   gui.app().panels().show_toast("The second message");
-  gui.app().panels().file_warnings = "A warning in a banner";
+  gui.app().panels().banners.file_warnings = "A warning in a banner";
   wait(gui, 8.0);
-  gui.app().panels().file_warnings.clear();
+  gui.app().panels().banners.file_warnings.clear();
   gui.app().panels().show_value("k = 242 N/m");  // a value that is being tuned is no message
   wait(gui, 8.0);
   EXPECT_EQ(gui.text().find("The first message"), std::string::npos);

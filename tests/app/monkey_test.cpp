@@ -116,7 +116,7 @@ TEST(Keys, EveryKeyOfTheTableActsWithEveryTool) {
       ASSERT_TRUE(is_valid(gui.status())) << key_text(row);
       for (int i = 0; i < 3 && gui.app().panels().dialog.kind != Dialog::Kind::None; ++i) gui.key(Key::Escape);
       ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None) << key_text(row);
-      gui.app().panels().search.shown = gui.app().panels().keys_shown = gui.app().panels().export_state.is_shown = false;
+      gui.app().panels().search.shown = gui.app().panels().shown.keys = gui.app().panels().export_state.is_shown = false;
       gui.frames(2);  // a menu opens
       if (gui.app().panels().menus.is_open) gui.key(Key::Escape);
     }

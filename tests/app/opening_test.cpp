@@ -78,7 +78,7 @@ TEST(OpeningNotice, OfASceneAboutInstabilityIsItsLesson) {
   GuiFixture gui;
   gui.app().document().open(file);
   gui.frames(2);
-  EXPECT_EQ(gui.app().panels().file_warnings, loaded.scene.description);
+  EXPECT_EQ(gui.app().panels().banners.file_warnings, loaded.scene.description);
   EXPECT_EQ(gui.text().find(".json"), std::string::npos);
 }
 
@@ -88,7 +88,7 @@ TEST(OpeningNotice, OfAnotherSceneWarnsWithoutThePathOfItsFile) {
   GuiFixture gui = fixture.open();
   gui.app().document().open(fixture.folder / "odd.json");
   gui.frames(2);
-  const std::string& notice = gui.app().panels().file_warnings;
+  const std::string& notice = gui.app().panels().banners.file_warnings;
   EXPECT_NE(notice.find("colour"), std::string::npos);
   EXPECT_EQ(notice.find(fixture.folder.string()), std::string::npos) << notice;
 }

@@ -182,12 +182,12 @@ TEST(ChangedFile, IsReportedAndReloadedOrKept) {
   larger.state.position.emplace_back(0.4, 0.4, 0.0);
   larger.state.velocity.emplace_back(0.0);
   save_scene(larger, fixture.file);
-  ASSERT_TRUE(gui.wait_until([&] { return !gui.app().panels().file_notice.empty(); }));
+  ASSERT_TRUE(gui.wait_until([&] { return !gui.app().panels().banners.file_notice.empty(); }));
   EXPECT_NE(gui.text().find("net.json was changed by another program."), std::string::npos);
   EXPECT_EQ(gui.system().point_count(), 2);
   press_button(gui, "file", "Reload");
   EXPECT_EQ(gui.system().point_count(), 3);
-  EXPECT_TRUE(gui.app().panels().file_notice.empty());
+  EXPECT_TRUE(gui.app().panels().banners.file_notice.empty());
 }
 
 TEST(ChangedFile, IsNotReplacedWithoutAsking) {
@@ -212,7 +212,7 @@ TEST(ChangedFile, ThatWasDeletedIsReportedAndCanBeWrittenAgain) {
   const DocumentFixture fixture;
   GuiFixture gui = fixture.open();
   fs::remove(fixture.file);
-  ASSERT_TRUE(gui.wait_until([&] { return !gui.app().panels().file_notice.empty(); }));
+  ASSERT_TRUE(gui.wait_until([&] { return !gui.app().panels().banners.file_notice.empty(); }));
   EXPECT_NE(gui.text().find("net.json no longer exists"), std::string::npos);
   gui.key(letter('S'), control);
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);

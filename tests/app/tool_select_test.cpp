@@ -121,5 +121,32 @@ TEST(SelectTool, ALassoSelectsWhatItsPathEncloses) {
   EXPECT_EQ(fixture.selection.points, std::vector{fixture.system().points()[1].id});
 }
 
+TEST(SelectTool, HandlesAroundTheSelectionTurnAndScaleIt) {
+  ToolFixture fixture(flat_scene({a, b}));
+  fixture.drag(*make_attach_tool(), a, b);
+  fixture.selection = {{fixture.system().points()[0].id, fixture.system().points()[1].id}, {}};
+  const auto tool = make_select_tool();
+  Marks marks;
+  tool->mark({}, fixture.context, marks);
+  ASSERT_EQ(marks.ghost_nails.size(), 4u);
+  ASSERT_TRUE(marks.ghost_point);
+  const Vec3 center = 0.5 * (a + b), corner = marks.ghost_nails[0], turn = *marks.ghost_point;
+  const double length = glm::distance(a, b);
+
+  fixture.drag(*tool, corner, center + 2.0 * (corner - center));
+  EXPECT_NEAR(glm::distance(fixture.position(0), fixture.position(1)), 2.0 * length, 1e-9);
+  EXPECT_NEAR(fixture.system().springs()[0].rest_length, 2.0 * length, 1e-9);
+  fixture.submit(Undo{});
+  EXPECT_NEAR(fixture.system().springs()[0].rest_length, length, 1e-12);
+  EXPECT_LT(glm::distance(fixture.position(0), a), 1e-12);
+
+  // from above to the left: a quarter turn
+  const Vec3 arm = turn - center;
+  fixture.drag(*tool, turn, center + Vec3(-arm.y, arm.x, 0.0));
+  const Vec3 along = a - center;
+  EXPECT_LT(glm::distance(fixture.position(0), center + Vec3(-along.y, along.x, 0.0)), 1e-9);
+  EXPECT_NEAR(fixture.system().springs()[0].rest_length, length, 1e-12);
+}
+
 }  // namespace
 }  // namespace hooke

@@ -22,19 +22,19 @@ TEST(AffectedParts, AreComputedOnceForAnyNumberOfFrames) {
     if (running) gui.key(Key::Space);
     gui.frames(3);
     ASSERT_EQ(gui.status().run.running, running);
-    const long before = gui.app().panels().affected_parts.computations();
+    const long before = gui.app().panels().side.affected_parts.computations();
     const double time = gui.status().snapshot->state.time;
     // the laboratory runs in real time
     const auto has_moved = [&] { return gui.status().snapshot->state.time > time; };
     for (int i = 0; i < 30 || (running && !has_moved() && i < 100'000); ++i) gui.frame();
     EXPECT_EQ(has_moved(), running);
-    EXPECT_EQ(gui.app().panels().affected_parts.computations(), before);
+    EXPECT_EQ(gui.app().panels().side.affected_parts.computations(), before);
   }
 }
 
 TEST(AffectedParts, AreComputedOnceMoreAfterAnEditOrAnotherSelection) {
   GuiFixture gui(two_springs());
-  const AffectedPartsCache& cache = gui.app().panels().affected_parts;
+  const AffectedPartsCache& cache = gui.app().panels().side.affected_parts;
   const long before = cache.computations();
   gui.app().handle(Request(Edit{SetSpringProperty{SpringProperty::Stiffness, {{SpringId{0}, 200.0}}}}));
   gui.frames(3);

@@ -64,7 +64,7 @@ TEST(Predictions, ThatAreNotReadyOrDoNotExistHaveAReason) {
   const auto text_with = [](GuiFixture& gui, const Forecast& forecast) {
     ImGui::NewFrame();
     PanelInput input = gui.app().panel_input({});
-    input.forecast = &forecast;
+    input.results.forecast = &forecast;
     Requests requests;
     build_panels(input, gui.app().panels(), requests);
     ImGui::Render();

@@ -221,7 +221,8 @@ TEST_P(Layouts, DialogsAreWithinTheWindow) {
   panels.show_toast(
       "Stiffness of the springs between the flag and its pole must be between 0.01 and 1000000 N/m, which makes this a long line");
   expect_in_order(gui, "toast", "Stiffness of the springs");
-  panels.file_warnings = "flag.json: points[3].color: unknown, kept unchanged; the scene needs so many substeps that it will run slowly";
+  panels.banners.file_warnings =
+      "flag.json: points[3].color: unknown, kept unchanged; the scene needs so many substeps that it will run slowly";
   expect_in_order(gui, "banner", "Dismiss");
 }
 
@@ -249,19 +250,19 @@ TEST_P(Layouts, PanelsAboutErrorsAreReadable) {
   expect_in_order(gui, "lesson", "How wrong is it");
   gui.app().handle(Request(Control(RunTo{0.5})));
   EXPECT_TRUE(gui.wait_for_end_of_run());
-  gui.app().panels().accuracy_shown = true;
+  gui.app().panels().shown.accuracy = true;
   expect_in_order(gui, "accuracy", "Error of a frame");
   gui.app().handle(Request(Control(SetAccuracy{AccuracyMode::Off})));
   gui.frames(2);
   expect_in_order(gui, "accuracy off", "Switched off");
-  gui.app().panels().accuracy_shown = false;
+  gui.app().panels().shown.accuracy = false;
 
-  gui.app().panels().comparison_shown = true;
+  gui.app().panels().shown.comparison = true;
   ResultStatus<MethodComparison> comparison;
   const auto build = [&] {
     ImGui::NewFrame();
     PanelInput input = gui.app().panel_input({});
-    input.comparison = comparison;
+    input.results.comparison = comparison;
     Requests requests;
     build_panels(input, gui.app().panels(), requests);
     ImGui::Render();

@@ -89,16 +89,16 @@ TEST(Plots, TheTimeUnderTheMouseIsMarkedOnTheTimelineTooAndBack) {
   run_with_plots(gui);
   gui.move(place_of(gui, 0.5));
   gui.frame();
-  ASSERT_TRUE(gui.app().panels().time_under_mouse);
-  EXPECT_NEAR(*gui.app().panels().time_under_mouse, 1.0, 0.02);
+  ASSERT_TRUE(gui.app().panels().plots.time_under_mouse);
+  EXPECT_NEAR(*gui.app().panels().plots.time_under_mouse, 1.0, 0.02);
   const Rect& strip = gui.app().layout().timeline;
   gui.move({strip.x + 0.4 * strip.width, strip.y + 0.5 * strip.height});
   gui.frame();
-  ASSERT_TRUE(gui.app().panels().time_under_mouse);
-  EXPECT_LT(*gui.app().panels().time_under_mouse, 1.0);
+  ASSERT_TRUE(gui.app().panels().plots.time_under_mouse);
+  EXPECT_LT(*gui.app().panels().plots.time_under_mouse, 1.0);
   gui.move({400.0, 300.0});
   gui.frames(2);
-  EXPECT_FALSE(gui.app().panels().time_under_mouse);
+  EXPECT_FALSE(gui.app().panels().plots.time_under_mouse);
 }
 
 TEST(Plots, NoLineLeadsAcrossAJumpInTime) {
@@ -165,7 +165,7 @@ TEST(Plots, AreSavedWithTheSceneAndShownWhenItIsOpened) {
   const Scene read = parse_scene(format_scene(scene), "memory").scene;
   EXPECT_EQ(read.view.plots, scene.view.plots);
   GuiFixture opened(read);
-  EXPECT_TRUE(opened.app().panels().plots_shown);
+  EXPECT_TRUE(opened.app().panels().plots.is_shown);
   EXPECT_EQ(opened.status().timeline.traces->traces.size(), 2u);
 }
 

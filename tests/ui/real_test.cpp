@@ -74,7 +74,7 @@ TEST(Lesson, ChecksOffEachStepWhenItIsDoneAndNotBefore) {
   GuiFixture gui(load_scene(find_scene("how_wrong")).scene);
   const auto done = [&] {
     gui.frames(2);
-    return gui.app().panels().lesson_steps_done;
+    return gui.app().panels().side.lesson_steps_done;
   };
   EXPECT_EQ(done(), 0u);
   run_for(gui, 0.2);

@@ -42,9 +42,7 @@ std::string text_of(GuiFixture& gui, const Accuracy& accuracy, const char* windo
   const PanelInput input{.status = status,
                          .selection = shown.selection,
                          .layout = shown.layout,
-                         .tools = shown.tools,
                          .tool = shown.tool,
-                         .next_step = shown.next_step,
                          .file = {},
                          .frames_per_second = 60.0,
                          .draw_ms = 1.0};
@@ -70,7 +68,7 @@ bool has_text_in(const char* window, ImU32 color, const std::string& words) {
 TEST(StatusBar, TheLineAndThePanelHaveTheSameColorAndWords) {
   GuiFixture gui(two_springs());
   gui.resize({2560.0, 1440.0}, 1.0);
-  gui.app().panels().accuracy_shown = true;
+  gui.app().panels().shown.accuracy = true;
   Accuracy bad = measured(1.4e-5, {}, INFINITY);
   bad.loss = Loss::Dissipated;
   bad.energy.change = -0.448;
@@ -95,14 +93,8 @@ TEST(StatusBar, SaysHowLongAFrameHasBeenComputed) {
   status.run.speed = 0.85;
   const PanelInput shown = gui.app().panel_input({});
   for (const double seconds : {0.1, 4.0}) {
-    const PanelInput input{.status = status,
-                           .selection = shown.selection,
-                           .layout = shown.layout,
-                           .tools = shown.tools,
-                           .tool = shown.tool,
-                           .next_step = shown.next_step,
-                           .file = {},
-                           .waiting_seconds = seconds};
+    const PanelInput input{
+        .status = status, .selection = shown.selection, .layout = shown.layout, .tool = shown.tool, .file = {}, .waiting_seconds = seconds};
     ImGui::NewFrame();
     Requests requests;
     build_panels(input, gui.app().panels(), requests);

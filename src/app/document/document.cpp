@@ -95,14 +95,14 @@ void Document::answer(Answer given) {
     case Answer::Reload:
       return open(file_);
     case Answer::KeepMine:
-      panels_.file_notice.clear();
+      panels_.banners.file_notice.clear();
       watch_.take(file_);
       return;
   }
 }
 
 void Document::replace(std::shared_ptr<const Scene> scene, std::filesystem::path file, bool unsaved) {
-  panels_.file_warnings.clear();
+  panels_.banners.file_warnings.clear();
   file_ = std::move(file);
   show_(*scene);
   context_.lab.submit(Open{std::move(scene), unsaved});
@@ -113,7 +113,7 @@ void Document::replace(std::shared_ptr<const Scene> scene, std::filesystem::path
 
 // Announces the document to other runs of Hooke, and asks if one of them has the same file open.
 void Document::begin() {
-  panels_.file_notice.clear();
+  panels_.banners.file_notice.clear();
   const bool own = has_own_file();
   watch_.take(own ? file_ : std::filesystem::path());
   session_.set_document(own ? file_ : std::filesystem::path(), status().document->name);
@@ -130,7 +130,8 @@ void Document::poll() {
   report_replay_difference();
   const double now = seconds_now();
   autosave_.follow(status(), context_.lab, now, add_view_settings());
-  if (const std::string error_text = autosave_.take_error(); !error_text.empty()) panels_.file_warnings = "Autosave failed: " + error_text;
+  if (const std::string error_text = autosave_.take_error(); !error_text.empty())
+    panels_.banners.file_warnings = "Autosave failed: " + error_text;
   if (now >= watched_at_ + watch_period) {
     watched_at_ = now;
     check_file();
@@ -141,19 +142,20 @@ void Document::poll() {
 void Document::report_replay_difference() {
   const std::string& difference = status().recording.difference;
   if (!difference.empty() && difference != reported_difference_)
-    panels_.file_warnings = "The replay differs from the recording: " + difference;
+    panels_.banners.file_warnings = "The replay differs from the recording: " + difference;
   reported_difference_ = difference;
 }
 
 // The notice stays until the user responds.
 void Document::check_file() {
   const FileWatch::Change change = watch_.check();
-  panels_.file_is_missing = change == FileWatch::Change::Deleted;
+  panels_.banners.file_is_missing = change == FileWatch::Change::Deleted;
   if (change == FileWatch::Change::None)
-    panels_.file_notice.clear();
+    panels_.banners.file_notice.clear();
   else
-    panels_.file_notice = printable(file_.filename().native(), 60) +
-                          (panels_.file_is_missing ? " no longer exists. Saving creates it again." : " was changed by another program.");
+    panels_.banners.file_notice =
+        printable(file_.filename().native(), 60) +
+        (panels_.banners.file_is_missing ? " no longer exists. Saving creates it again." : " was changed by another program.");
 }
 
 void Document::poll_system_dialog() {

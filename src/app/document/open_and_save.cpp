@@ -69,7 +69,7 @@ void Document::read_scene(const std::filesystem::path& file, const ImportOptions
       // a file of another format is imported: the document has no file
       const bool imported = find_readable_kind(file) != nullptr && !is_scene_file(file);
       replace(opened.scene, imported ? std::filesystem::path() : file);
-      panels_.file_warnings = opened.warnings;
+      panels_.banners.file_warnings = opened.warnings;
       if (!opened.summary.empty()) panels_.show_toast(opened.summary);
     };
   });
@@ -90,7 +90,7 @@ void Document::read_recording_file(const std::filesystem::path& file) {
 
 void Document::play(std::shared_ptr<const Recording> recording) {
   replace(recording->start, {});
-  if (recording->is_truncated) panels_.file_warnings = "The last line of the recording is incomplete: the replay ends before it.";
+  if (recording->is_truncated) panels_.banners.file_warnings = "The last line of the recording is incomplete: the replay ends before it.";
   context_.lab.submit(Play{std::move(recording)});
   context_.lab.submit(SetRunning{true});
 }
@@ -151,7 +151,7 @@ void Document::finish_saving(const std::filesystem::path& file, double time, con
   context_.lab.submit(MarkSaved{});
   autosave_.discard();
   context_.settle();
-  panels_.file_notice.clear();
+  panels_.banners.file_notice.clear();
   watch_.take(file_);
   recent_.add(file_);
   if (moved) session_.set_document(file_, status().document->name);

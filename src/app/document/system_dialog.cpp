@@ -21,6 +21,8 @@ namespace fs = std::filesystem;
 // Longer answers are not paths.
 constexpr std::size_t longest_answer = 1 << 16;
 
+}  // namespace
+
 fs::path find_program(const char* name) {
   const char* folders = std::getenv("PATH");
   std::istringstream list(folders != nullptr ? folders : "");
@@ -30,8 +32,6 @@ fs::path find_program(const char* name) {
   }
   return {};
 }
-
-}  // namespace
 
 SystemDialog::~SystemDialog() { stop(); }
 

@@ -8,6 +8,9 @@
 
 namespace hooke {
 
+// The path of an installed program; empty if it is not.
+std::filesystem::path find_program(const char* name);
+
 class SystemDialog {
  public:
   enum class Kind { Open, Save };

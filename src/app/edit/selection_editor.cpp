@@ -1,6 +1,5 @@
 #include "app/edit/selection_editor.h"
 
-#include "edit/copy_selection.h"
 #include "formats/scene_file.h"
 #include "ui/text.h"
 
@@ -76,14 +75,35 @@ void SelectionEditor::duplicate() {
 
 // Selects what was inserted.
 void SelectionEditor::insert(const Scene& part, const Vec3& displacement) {
-  LabThread& lab = context_.lab;
-  Insert insert = make_insert(part, displacement, {[&lab] { return lab.new_point_id(); }, [&lab] { return lab.new_spring_id(); }});
+  Insert insert = make_insert(part, displacement, ids());
   Selection inserted;
   for (const PlacedPoint& placed : insert.points) inserted.points.push_back(placed.point.id);
   for (const PlacedSpring& placed : insert.springs) inserted.springs.push_back(placed.spring.id);
-  lab.submit(std::move(insert));
+  context_.lab.submit(std::move(insert));
   context_.settle();
   context_.selection = std::move(inserted);
+}
+
+IdSource SelectionEditor::ids() {
+  LabThread& lab = context_.lab;
+  return {[&lab] { return lab.new_point_id(); }, [&lab] { return lab.new_spring_id(); }};
+}
+
+void SelectionEditor::weld() {
+  const std::vector<PointId> points = context_.selection.points;
+  if (points.size() < 2) return panels_.show_toast("Select the points to weld: two or more");
+  const Gesture gesture = context_.begin_gesture();
+  for (Command& command : hooke::weld(context_.snapshot(), points, ids())) context_.lab.submit(std::move(command), gesture);
+  panels_.show_toast("Welded " + count(static_cast<long>(points.size()), "point"));
+  context_.selection = {{points.front()}, {}};
+}
+
+void SelectionEditor::split() {
+  std::vector<Command> commands = hooke::split(context_.snapshot(), context_.selection.points, ids());
+  if (commands.empty()) return panels_.show_toast("Nothing to split: select points where springs meet, not of a surface");
+  const Gesture gesture = context_.begin_gesture();
+  for (Command& command : commands) context_.lab.submit(std::move(command), gesture);
+  panels_.show_toast("Split: each spring has an end of its own");
 }
 
 void SelectionEditor::delete_selection() {

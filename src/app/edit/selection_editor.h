@@ -7,6 +7,7 @@
 #include "app/edit/clipboard.h"
 #include "app/tools/tool_context.h"
 #include "app/work/file_task.h"
+#include "edit/arrange.h"
 
 namespace hooke {
 
@@ -21,6 +22,8 @@ class SelectionEditor {
   void paste(const std::optional<glm::dvec2>& place);
   void duplicate();
   void delete_selection();
+  void weld();
+  void split();
 
  private:
   enum class AfterCopy { Keep, Delete };
@@ -28,6 +31,7 @@ class SelectionEditor {
   void paste(const Scene& part, const glm::dvec2& place);
   Scene selected_part() const;
   void insert(const Scene& part, const Vec3& displacement);
+  IdSource ids();
 
   ToolContext& context_;
   Panels& panels_;

@@ -41,7 +41,7 @@ KeyHandlers App::make_key_handlers() {
       // all keys, unless a number is being typed
       {"export",
        [this, pass_on, close](const KeyPress& press) {
-         if (!panels_.export_state.is_shown || panels_.typing != 0) return false;
+         if (!panels_.export_state.is_shown || panels_.field.typing != 0) return false;
          if (press.key == Key::Escape && exporter_.is_running())
            exporter_.stop();
          else if (!close(panels_.export_state.is_shown, press) && press.key == Key::Enter)
@@ -50,7 +50,7 @@ KeyHandlers App::make_key_handlers() {
        }},
       // a text field passes on only F1 and combinations with Ctrl
       {"text field",
-       [this](const KeyPress& press) { return panels_.text_in_progress && press.key != Key::F1 && !press.modifiers.control; }},
+       [this](const KeyPress& press) { return panels_.field.text_in_progress && press.key != Key::F1 && !press.modifiers.control; }},
       {"placement",
        [this](const KeyPress& press) {
          if (!placer_.is_on() || (press.key != Key::Enter && press.key != Key::Escape)) return false;
@@ -60,25 +60,27 @@ KeyHandlers App::make_key_handlers() {
            placer_.stop();
          return true;
        }},
-      {"shortcut overlay", [this, close](const KeyPress& press) { return close(panels_.keys_shown, press); }},
-      {"gallery",
-       [this, close](const KeyPress& press) {
-         if (!panels_.gallery.is_shown || press.modifiers != Modifiers{}) return false;
-         if (close(panels_.gallery.is_shown, press) || move_in_gallery(panels_, layout_, press.key)) return true;
-         if (press.key == Key::Enter) document_.open(shipped_scenes()[panels_.gallery.chosen].file);
-         return press.key == Key::Enter;
-       }},
-      {"shortcuts",
-       [this](const KeyPress& press) {
-         const Shortcut* shortcut = find_shortcut(press.key, press.modifiers);
-         if (shortcut == nullptr || (press.repeated && !shortcut->repeats)) return false;
-         // the gallery hides the scene: keys must not affect it
-         if (panels_.gallery.is_shown && row_of(shortcut->action).needs != Needs::Nothing) return false;
-         settle();
-         perform(shortcut->action, press.repeated);
-         return true;
-       }},
+      {"shortcut overlay", [this, close](const KeyPress& press) { return close(panels_.shown.keys, press); }},
+      {"gallery", [this, close](const KeyPress& press) { return close(panels_.gallery.is_shown, press) || press_in_gallery(press); }},
+      {"shortcuts", [this](const KeyPress& press) { return perform_shortcut(press); }},
   };
+}
+
+bool App::press_in_gallery(const KeyPress& press) {
+  if (!panels_.gallery.is_shown || press.modifiers != Modifiers{}) return false;
+  if (move_in_gallery(panels_, layout_, press.key)) return true;
+  if (press.key == Key::Enter) document_.open(shipped_scenes()[panels_.gallery.chosen].file);
+  return press.key == Key::Enter;
+}
+
+bool App::perform_shortcut(const KeyPress& press) {
+  const Shortcut* shortcut = find_shortcut(press.key, press.modifiers);
+  if (shortcut == nullptr || (press.repeated && !shortcut->repeats)) return false;
+  // the gallery hides the scene: keys must not affect it
+  if (panels_.gallery.is_shown && row_of(shortcut->action).needs != Needs::Nothing) return false;
+  settle();
+  perform(shortcut->action, press.repeated);
+  return true;
 }
 
 }  // namespace hooke

@@ -1,5 +1,6 @@
 #include "app/media/captures.h"
 
+#include "app/document/system_dialog.h"
 #include "base/printable.h"
 #include "lab/recording.h"
 
@@ -12,13 +13,16 @@ void Captures::report_picture(const std::filesystem::path& file, const std::stri
     panels_.show_message("Cannot write the picture", error);
 }
 
+void Captures::start_film(const std::filesystem::path& file) {
+  if (film_recorder_.is_filming() || film_recorder_.is_writing()) return panels_.show_toast("The previous film is still being written");
+  film_recorder_.start_film(file);
+}
+
 void Captures::start_or_stop_film() {
   if (film_recorder_.is_filming())
     film_recorder_.end_film();
-  else if (film_recorder_.is_writing())
-    panels_.show_toast("The previous film is still being written");
   else
-    film_recorder_.start_film(document_.new_file_beside(".mp4"));
+    start_film(document_.new_file_beside(find_program("ffmpeg").empty() ? ".png" : ".mp4"));
 }
 
 void Captures::start_or_stop_recording() {

@@ -25,6 +25,8 @@ class Captures {
   std::optional<WantedPicture> take_wanted_picture() { return std::exchange(picture_, std::nullopt); }
   void report_picture(const std::filesystem::path& file, const std::string& error);
 
+  // An .mp4, or an animated .png, which needs no ffmpeg.
+  void start_film(const std::filesystem::path& file);
   void start_or_stop_film();
   void start_or_stop_recording();
   // Once per frame: reports what has been written, and errors.

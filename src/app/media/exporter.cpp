@@ -7,6 +7,9 @@
 #include "formats/open_file.h"
 #include "formats/point_cache.h"
 #include "study/frame_export.h"
+#include "study/gnuplot.h"
+#include "study/plot_chart.h"
+#include "study/spectrum.h"
 
 namespace hooke {
 namespace {
@@ -45,6 +48,12 @@ void Exporter::start() {
     state.is_shown = false;
     return;
   }
+  if (kind.source == ExportSource::Film) {
+    captures_.start_film(file_);
+    context_.lab.submit(SetRunning{true});
+    state.is_shown = false;
+    return;
+  }
   if (kind.source == ExportSource::Frames) return export_frames(kind);
   if (kind.source == ExportSource::Plots) return export_plots();
   export_state();
@@ -57,19 +66,15 @@ void Exporter::export_frames(const FileKind& kind) {
   if (kind.has_quantities)
     if (const std::string error = read_quantities(state.quantities, scene.system, wanted.quantities); !error.empty())
       return panels_.show_message("Cannot export", error);
-  if (const auto warning = point_cache_warning(scene.state); warning && &kind == &pc2_file) panels_.file_warnings = *warning;
-  started_ = std::chrono::steady_clock::now();
-  shared_ = std::make_shared<Shared>();
-  run_ = std::async(std::launch::async, [scene = std::move(scene), wanted, shared = shared_]() mutable -> std::string {
+  if (const auto warning = point_cache_warning(scene.state); warning && &kind == &pc2_file) panels_.banners.file_warnings = *warning;
+  run_.start("Exporting", [this, scene = std::move(scene), wanted](const Progress& progress) -> BackgroundTask::Completion {
+    std::string error;
     try {
-      write_frames(std::move(scene), wanted, [&](double fraction) {
-        shared->fraction = fraction;
-        return !shared->stop;
-      });
-      return {};
+      write_frames(scene, wanted, progress);
     } catch (const std::runtime_error& refusal) {  // InputError or FileError
-      return refusal.what();
+      error = refusal.what();
     }
+    return [this, error] { finish(error, run_.was_stopped()); };
   });
 }
 
@@ -93,26 +98,23 @@ void Exporter::export_plots() {
   if (traces.traces.empty() || traces.times.empty())
     return panels_.show_message("Cannot export", "There are no plots: press P to show some first.");
   try {
-    write_atomically(file_, to_csv(traces));
-    finish({}, false);
+    if (file_.extension() == ".csv") {
+      write_atomically(file_, to_csv(traces));
+      return finish({}, false);
+    }
+    auto [first, last] = shown_times(traces, panels_);
+    const bool is_spectrum = panels_.plots.shows_spectrum;
+    const TraceTable shown = is_spectrum ? spectrum_of(traces, first, last) : traces;
+    if (is_spectrum) first = 0.0, last = shown.times.empty() ? 1.0 : shown.times.back();
+    const ChartFormat format = file_.extension() == ".svg" ? ChartFormat::Svg : ChartFormat::Png;
+    finish(draw_chart(plot_chart(shown, first, last, is_spectrum, format), file_).value_or(""), false);
   } catch (const FileError& error) {
     finish(error.what(), false);
   }
 }
 
-void Exporter::stop() {
-  if (is_running()) shared_->stop = true;
-}
-
-void Exporter::poll() {
-  if (is_running() && run_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) finish(run_.get(), shared_->stop);
-}
-
 ExportWork Exporter::progress() const {
-  if (!is_running()) return {};
-  return {.fraction = shared_->fraction,
-          .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(),
-          .is_running = true};
+  return is_running() ? ExportWork{.fraction = run_.fraction(), .seconds = run_.seconds(), .is_running = true} : ExportWork{};
 }
 
 void Exporter::finish(const std::string& error, bool stopped) {

@@ -1,15 +1,12 @@
 // Exports of the scene: immediately, or for formats over time in a thread that runs a copy of the scene.
 #pragma once
 
-#include <atomic>
-#include <chrono>
 #include <filesystem>
-#include <future>
-#include <memory>
 #include <string>
 
 #include "app/document/document.h"
 #include "app/media/captures.h"
+#include "app/work/background_task.h"
 #include "app/work/file_task.h"
 #include "formats/file_kind.h"
 
@@ -24,17 +21,13 @@ class Exporter {
   void show();
   // Exports what panels.export_state describes.
   void start();
-  void stop();
+  void stop() { run_.stop(); }
   // Once per frame.
-  void poll();
-  bool is_running() const { return run_.valid(); }
+  void poll() { run_.follow(); }
+  bool is_running() const { return run_.is_running(); }
   ExportWork progress() const;
 
  private:
-  struct Shared {
-    std::atomic<double> fraction = 0.0;
-    std::atomic<bool> stop = false;
-  };
   void export_frames(const FileKind& kind);
   void export_state();
   void export_plots();
@@ -46,9 +39,7 @@ class Exporter {
   Captures& captures_;
   const Document& document_;
   std::filesystem::path file_;
-  std::chrono::steady_clock::time_point started_{};
-  std::shared_ptr<Shared> shared_;
-  std::future<std::string> run_;  // last: the destructor waits for it before anything that it uses is destroyed
+  BackgroundTask run_;  // last: the destructor waits for it before anything that it uses is destroyed
 };
 
 }  // namespace hooke

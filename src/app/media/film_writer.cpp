@@ -6,8 +6,13 @@
 
 namespace hooke {
 
-FilmWriter::FilmWriter(std::filesystem::path file, int width, int height, double video_frame_rate)
-    : film_(std::move(file), width, height, video_frame_rate), thread_([this] { write(); }) {}
+FilmWriter::FilmWriter(std::filesystem::path file, int width, int height, double video_frame_rate) : file_(std::move(file)) {
+  if (file_.extension() == ".mp4")
+    film_.emplace(file_, width, height, video_frame_rate);
+  else
+    animation_.emplace(file_, video_frame_rate);
+  thread_ = std::thread([this] { write(); });
+}
 
 FilmWriter::~FilmWriter() {
   {
@@ -15,7 +20,7 @@ FilmWriter::~FilmWriter() {
     dropped_ = !ended_;
   }
   changed_.notify_one();
-  if (dropped_) film_.abort();
+  if (dropped_ && film_) film_->abort();
   thread_.join();
 }
 
@@ -62,10 +67,13 @@ void FilmWriter::write() {
 std::string FilmWriter::write_all() {
   try {
     while (const auto queued_frame = next())
-      for (long i = 0; i < queued_frame->times; ++i) film_.add(queued_frame->picture);
-    if (!dropped_) film_.close();
+      if (animation_)
+        animation_->add(queued_frame->picture, queued_frame->times);
+      else
+        for (long i = 0; i < queued_frame->times; ++i) film_->add(queued_frame->picture);
+    if (!dropped_) animation_ ? animation_->close() : film_->close();
     return {};
-  } catch (const FileError& error) {
+  } catch (const std::exception& error) {  // FileError, or a picture that cannot be encoded
     return error.what();
   }
 }

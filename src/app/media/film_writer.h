@@ -9,13 +9,14 @@
 #include <string>
 #include <thread>
 
+#include "app/media/animation_encoder.h"
 #include "formats/video_encoder.h"
 
 namespace hooke {
 
 class FilmWriter {
  public:
-  // Throws FileError if ffmpeg cannot be started.
+  // A .mp4 by ffmpeg, else an animated picture. Throws FileError if ffmpeg cannot be started.
   FilmWriter(std::filesystem::path file, int width, int height, double video_frame_rate);
   ~FilmWriter();  // deletes an unfinished film; waits for a finished one
   FilmWriter(const FilmWriter&) = delete;
@@ -27,7 +28,7 @@ class FilmWriter {
   void end();
   // Once the film is written: empty, or an error text.
   std::optional<std::string> result() const;
-  const std::filesystem::path& file() const { return film_.file(); }
+  const std::filesystem::path& file() const { return file_; }
 
  private:
   struct QueuedFrame {
@@ -41,7 +42,9 @@ class FilmWriter {
   // Limit of the waiting pictures [bytes]: some pictures of a large screen.
   static constexpr std::size_t max_waiting = std::size_t{96} << 20;
 
-  VideoEncoder film_;
+  std::filesystem::path file_;
+  std::optional<VideoEncoder> film_;
+  std::optional<AnimationEncoder> animation_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<QueuedFrame> queue_;

@@ -4,6 +4,7 @@
 
 #include "app/tools/collider_drag.h"
 #include "app/tools/tools.h"
+#include "app/tools/transform_handles.h"
 #include "app/view/arrows.h"
 #include "scene/collider_kinds.h"
 #include "ui/text.h"
@@ -22,6 +23,10 @@ class SelectTool : public Tool {
       return;
     }
     if (pointer.modifiers.alt) return press_velocity(context);
+    if (transform_.begin(pointer, context)) {
+      interaction_ = Interaction::Transforming;
+      return;
+    }
     if (const auto handle = handle_at(pointer.at, context)) {
       handle_ = *handle;
       gesture_ = context.begin_gesture();
@@ -41,6 +46,7 @@ class SelectTool : public Tool {
   void follow(const Pointer& pointer, ToolContext& context) override {
     current_ = pointer.at;
     if (!lasso_.empty() && lasso_.back() != pointer.at) lasso_.push_back(pointer.at);
+    transform_.follow(pointer, context);
     if (interaction_ == Interaction::Waiting && context.is_drag(pressed_at_, pointer.at)) begin_move(context);
     if (interaction_ == Interaction::Moving) move(context);
     if (interaction_ == Interaction::Sizing) size(context);
@@ -65,6 +71,7 @@ class SelectTool : public Tool {
     const bool busy = interaction_ != Interaction::Nothing;
     if (interaction_ == Interaction::Moving || is_sized_) context.lab.submit(Undo{});
     collider_.revert(context);
+    transform_.revert(context);
     *this = {};
     return busy;
   }
@@ -73,6 +80,7 @@ class SelectTool : public Tool {
     if (interaction_ == Interaction::Moving) return "release to finish, Esc undoes";
     if (interaction_ == Interaction::Collider || interaction_ == Interaction::Sizing) return "move and release; Esc undoes";
     if (interaction_ == Interaction::Box) return "drag a box around what to select";
+    if (interaction_ == Interaction::Transforming) return transform_.text();
     if (interaction_ == Interaction::Velocity)
       return "velocity " + quantity_text(glm::length(velocity(context)), "m/s") + "; release sets it, Esc cancels";
     if (context.selection.collider) return "drag the body to move it, its handles to size it; Del deletes it";
@@ -84,6 +92,7 @@ class SelectTool : public Tool {
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
     marks.hovered_collider = collider_.collider();
     mark_handles(context, marks);
+    if (interaction_ == Interaction::Nothing || interaction_ == Interaction::Transforming) transform_.mark(context, marks);
     if (interaction_ == Interaction::Velocity && context.system().index_of(point_) != no_index) {
       const Vec3 from = context.snapshot().position(point_);
       marks.arrows.insert(marks.arrows.begin(),
@@ -104,7 +113,7 @@ class SelectTool : public Tool {
   std::vector<glm::dvec2> stroke() const override { return lasso_; }
 
  private:
-  enum class Interaction { Nothing, Waiting, Moving, Box, Collider, Sizing, Velocity };
+  enum class Interaction { Nothing, Waiting, Moving, Box, Collider, Sizing, Velocity, Transforming };
 
   // The selected collider where it is now; none if there is none.
   static std::optional<Collider> selected_collider(const ToolContext& context) {
@@ -239,6 +248,7 @@ class SelectTool : public Tool {
   glm::dvec2 pressed_at_{0.0}, current_{0.0};
   PointId point_{};
   ColliderDrag collider_;
+  TransformHandles transform_;
   std::vector<glm::dvec2> lasso_;  // [px], since the press; empty: a box
   bool collider_moves_ = false, is_sized_ = false;
   std::size_t handle_ = 0;  // of the selected collider

@@ -64,7 +64,7 @@ class Scale {
     const glm::dvec2 size = window.size();
     const double scale = fitting_scale(desired * window.content_scale(), size.x, size.y),
                  density = window.framebuffer_size().x / std::max(1.0, window.size().x);
-    if (scale == scale_ && density == density_) return;
+    if (scale == scale_ && density == density_ && !needs_fonts()) return;
     scale_ = scale;
     density_ = density;
     load_theme(scale, density);

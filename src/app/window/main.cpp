@@ -58,7 +58,7 @@ std::unique_ptr<App> open_scene(const std::string& name) {
   const std::string notice = opening_notice(loaded.scene, loaded.warnings, file);
   auto app =
       std::make_unique<App>(std::make_shared<const Scene>(std::move(loaded.scene)), imported ? std::filesystem::path() : file, xdg_home());
-  app->panels().file_warnings = notice;
+  app->panels().banners.file_warnings = notice;
   if (recording) app->document().play(recording);
   return app;
 }

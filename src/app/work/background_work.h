@@ -23,13 +23,13 @@ struct BackgroundWork {
   void follow(const Status& status, const Panels& panels, LabThread& lab) {
     forecaster.follow(status);
     crossings.follow(status);
-    advisor.follow(status, panels.accuracy_shown);
+    advisor.follow(status, panels.shown.accuracy);
     comparison.follow();
     result_check.follow();
     stretch.follow();
     ghosts.follow(status, lab);
     const auto& failure = status.snapshot->divergence;
-    remedy.follow(status, failure && panels.dismissed != failure->time);
+    remedy.follow(status, failure && panels.banners.dismissed != failure->time);
   }
   // Another scene is about to replace the one on screen.
   void clear(const Status& status, LabThread& lab) {
@@ -38,6 +38,9 @@ struct BackgroundWork {
     comparison.clear();
     result_check.clear();
     stretch.clear();
+  }
+  BackgroundResults results() const {
+    return {&forecaster.newest(), advisor.newest(), remedy.status(), comparison.status(), result_check.status(), stretch.status()};
   }
   bool is_running() const { return remedy.is_running() || comparison.is_running() || result_check.is_running() || stretch.is_running(); }
 };

@@ -32,7 +32,7 @@ std::string GoToState::describe() const { return "go to " + format_exact(std::ro
 Inverse GoToState::apply(Scene& scene, Effect& effect) const {
   const State& target = *state;
   const auto fits = [&](const std::vector<Vec3>& list) {
-    return list.size() == scene.system.points().size() && std::ranges::all_of(list, is_finite);
+    return list.size() == scene.system.points().size() && std::ranges::all_of(list, [](const Vec3& v) { return is_finite(v); });
   };
   if (!fits(target.position) || !fits(target.velocity) || !std::isfinite(target.time) || target.torn > scene.tears.size()) return {};
   if (!is_finite(target.hand.position) || !is_finite(target.hand.target) || !is_valid(target.memory)) return {};

@@ -124,8 +124,8 @@ void advice_row(const std::optional<TestedCost>& tested, const Settings& present
 
 void cost_section(const PanelInput& input, Requests& requests) {
   heading("Cost of accuracy");
-  if (!input.advice) return paragraph("Once it has run, other settings are tested on copies of the scene...", palette::dim);
-  const CostAdvice& advice = *input.advice;
+  if (!input.results.advice) return paragraph("Once it has run, other settings are tested on copies of the scene...", palette::dim);
+  const CostAdvice& advice = *input.results.advice;
   const Settings& present = input.status.snapshot->settings;
   advice_row(advice.half_error, present, requests);
   advice_row(advice.cheaper, present, requests);
@@ -155,14 +155,14 @@ void build_accuracy_line(const PanelInput& input, Panels& panels) {
   const auto fits = [&](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x <= width; };
   const auto shown = std::find_if(lines.begin(), lines.end() - 1, fits);
   ImGui::TextUnformatted(shortened(*shown, width).c_str());
-  if (ImGui::IsItemClicked()) panels.accuracy_shown = !panels.accuracy_shown;
+  if (ImGui::IsItemClicked()) panels.shown.accuracy = !panels.shown.accuracy;
   tooltip((shown == lines.begin() ? "" : lines.front() + "\n") + "Estimated error of the run. Click for details.");
   ImGui::PopStyleColor();
   ImGui::PopFont();
 }
 
 void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests) {
-  if (!panels.accuracy_shown) return;
+  if (!panels.shown.accuracy) return;
   DockedPanel panel("accuracy", dock_panel(input.layout, units(1.0), accuracy_panel_width, 500.0, true), panels);
   bool is_on = input.status.accuracy.is_on;
   if (ImGui::Checkbox("Measure the accuracy", &is_on))
@@ -184,7 +184,7 @@ void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests)
   if (ImGui::Button("Compare methods", {units(144.0), units(30.0)})) requests.emplace_back(Action::CompareMethods);
   tooltip(Action::CompareMethods);
   ImGui::SameLine();
-  if (ImGui::Button("Close", {units(96.0), units(30.0)})) panels.accuracy_shown = false;
+  if (ImGui::Button("Close", {units(96.0), units(30.0)})) panels.shown.accuracy = false;
 }
 
 }  // namespace hooke

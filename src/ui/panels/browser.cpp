@@ -52,6 +52,7 @@ bool row(const char* id, const std::string& name, const std::string& remark, boo
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = at.y + 0.5f * units(22.0) - 0.5f * ImGui::GetFontSize();
   draw_icon(list, icon, {at.x + units(12.0), at.y + units(11.0)}, units(13.0), icon == Icon::Folder ? palette::accent : palette::dim);
+  follow_text(name);
   const float remark_width = ImGui::CalcTextSize(remark.c_str()).x;
   list.PushClipRect(at, {end - remark_width - units(16.0), at.y + units(24.0)}, true);
   list.AddText({at.x + units(26.0), middle}, palette::text, name.c_str());

@@ -42,7 +42,7 @@ void build_collider(const PanelInput& input, Panels& panels, Requests& requests)
   ImGui::PopID();
   if (!changed) return;
   collider = *changed;
-  requests.emplace_back(Edit{SetColliders{std::move(colliders)}, panels.edit_in_progress});
+  requests.emplace_back(Edit{SetColliders{std::move(colliders)}, panels.field.edit_in_progress});
 }
 
 }  // namespace hooke

@@ -269,7 +269,7 @@ void buttons(const ResultStatus<MethodComparison>& status, Panels& panels, Reque
   }
   ImGui::SameLine(ImGui::GetWindowWidth() - units(64.0) - ImGui::GetStyle().WindowPadding.x);
   if (ImGui::Button("Close", {units(64.0), units(30.0)})) {
-    panels.comparison_shown = false;
+    panels.shown.comparison = false;
     requests.emplace_back(StopComparison{});
   }
 }
@@ -277,7 +277,7 @@ void buttons(const ResultStatus<MethodComparison>& status, Panels& panels, Reque
 }  // namespace
 
 void build_comparison(const PanelInput& input, Panels& panels, Requests& requests) {
-  if (!panels.comparison_shown) return;
+  if (!panels.shown.comparison) return;
   const Dock dock = dock_panel(input.layout, units(1.0), left_panel_width(input, panels, 600.0), 400.0);
   DockedPanel panel("comparison", dock, panels);
   ImGui::PushFont(fonts().strong);
@@ -285,7 +285,7 @@ void build_comparison(const PanelInput& input, Panels& panels, Requests& request
   ImGui::PopFont();
   panel.begin_content();
 
-  const ResultStatus<MethodComparison>& status = input.comparison;
+  const ResultStatus<MethodComparison>& status = input.results.comparison;
   const bool has_rows = status.result && std::ranges::any_of(status.result->record.rows, is_drawn);
   if (status.is_running) {
     paragraph("Runs every method from the present state, on a copy, against a reference that two methods agree on.", palette::dim);

@@ -64,6 +64,7 @@ void path_line(Panels& panels) {
   shown = panels.dialog.text_version;
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::PushID(shown);
+  follow_text(panels.dialog.typed);
   ImGui::InputTextWithHint("##path", "Name or path", &panels.dialog.typed, ImGuiInputTextFlags_CallbackAlways, select_name,
                            &panels.dialog.selects_name);
   ImGui::PopID();

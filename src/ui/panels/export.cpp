@@ -112,11 +112,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   const float wide = box_width(480.0);
   ImGui::SetNextWindowPos({middle_for(scene, wide), static_cast<float>(page.y + 0.5 * page.height)}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, static_cast<float>(page.height)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(20.0), units(16.0)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
-  ImGui::Begin("export", nullptr, front_box);
+  begin_front_box("export", {units(20.0), units(16.0)});
   panels.floating.push_back(current_window());
 
   ImGui::PushFont(fonts().strong);
@@ -138,9 +134,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::Dummy({0.0f, units(4.0)});
   buttons(input, export_state, requests);
   end_tab_stops();
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
+  end_front_box();
 }
 
 }  // namespace hooke

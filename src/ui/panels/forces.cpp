@@ -84,8 +84,8 @@ void build_forces(const PanelInput& input, Panels& panels, Requests& requests) {
     ImGui::EndCombo();
   }
   if (wanted == now) return;
-  requests.emplace_back(Edit{SetForces{std::move(wanted)}, panels.edit_in_progress});
-  panels.edit_in_progress = true;
+  requests.emplace_back(Edit{SetForces{std::move(wanted)}, panels.field.edit_in_progress});
+  panels.field.edit_in_progress = true;
 }
 
 }  // namespace hooke

@@ -78,7 +78,7 @@ void build_columns(int columns) {
 }  // namespace
 
 void build_keys(const PanelInput& input, Panels& panels) {
-  if (!panels.keys_shown) return;
+  if (!panels.shown.keys) return;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const int columns = std::clamp(static_cast<int>(display.x / units(column_width + 24.0)), 1, max_columns);
   const float width = std::min(display.x, static_cast<float>(columns) * units(column_width) + units(48.0));
@@ -86,20 +86,14 @@ void build_keys(const PanelInput& input, Panels& panels) {
   const float middle = static_cast<float>(page.y + 0.5 * page.height);
   ImGui::SetNextWindowPos({0.5f * display.x, middle}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, static_cast<float>(page.height)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(24.0), units(14.0)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
-  ImGui::Begin("keys", nullptr, front_box);
+  begin_front_box("keys", {units(24.0), units(14.0)});
   panels.floating.push_back(current_window());
   ImGui::Columns(columns, "columns", false);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, units(2.5)});
   build_columns(columns);
   ImGui::PopStyleVar();
   ImGui::Columns(1);
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
+  end_front_box();
 }
 
 }  // namespace hooke

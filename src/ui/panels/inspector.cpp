@@ -16,7 +16,9 @@ namespace {
 constexpr double min_mass = 1e-9, max_mass = 1e9, max_length = 1e6, max_stiffness = 1e12, max_damping = 1e9, max_strain = 1e6,
                  max_speed = 1e6;
 
-void edit(Command command, Panels& panels, Requests& requests) { requests.emplace_back(Edit{std::move(command), panels.edit_in_progress}); }
+void edit(Command command, Panels& panels, Requests& requests) {
+  requests.emplace_back(Edit{std::move(command), panels.field.edit_in_progress});
+}
 
 struct Inspected {
   const Snapshot& snapshot;
@@ -98,7 +100,7 @@ void color_row(const Inspected& inspected, Panels& panels, Requests& requests) {
     SetPointColor set;
     for (const Index i : inspected.parts.points) set.values.emplace_back(inspected.point(i).id, color);
     edit(std::move(set), panels, requests);
-    panels.edit_in_progress = true;
+    panels.field.edit_in_progress = true;
   };
   begin_row("Color");
   const Color color = now.value.value_or(Color{200, 205, 212});
@@ -209,7 +211,7 @@ void spring_rows(const Inspected& inspected, Panels& panels, Requests& requests)
 void build_inspector(const PanelInput& input, Panels& panels, Requests& requests) {
   if (input.selection.collider) return build_collider(input, panels, requests);
   if (input.selection.empty()) return;
-  const Inspected inspected{*input.status.snapshot, panels.affected_parts.of(input.status, input.selection)};
+  const Inspected inspected{*input.status.snapshot, panels.side.affected_parts.of(input.status, input.selection)};
   const auto points = static_cast<long>(inspected.parts.points.size()), springs = static_cast<long>(inspected.parts.springs.size());
   std::string what = points > 0 ? count(points, "point") : "";
   if (springs > 0) what += (what.empty() ? "" : ", ") + count(springs, "spring");
@@ -218,6 +220,7 @@ void build_inspector(const PanelInput& input, Panels& panels, Requests& requests
   if (springs > 0) spring_rows(inspected, panels, requests);
   if (springs > 0) build_spring_law(input, inspected.parts.springs, panels, requests);
   if (springs > 0) build_stretch(input, requests);
+  build_arrange(input, panels, requests);
 }
 
 }  // namespace hooke

@@ -23,7 +23,7 @@ constexpr const char* lesson_name = "How wrong is it?";
 constexpr int first_substeps = 20;
 
 constexpr LessonStep lesson_steps[] = {
-    {"Press M: the meter shows four quantities.", [](const PanelInput&, const Panels& panels) { return panels.accuracy_shown; },
+    {"Press M: the meter shows four quantities.", [](const PanelInput&, const Panels& panels) { return panels.shown.accuracy; },
      [](const PanelInput&) { return std::string(); }},
     {"Press Space and wait until the meter says for how long the motion is predictable.",
      [](const PanelInput& input, const Panels&) {
@@ -53,7 +53,7 @@ constexpr LessonStep lesson_steps[] = {
      }},
     {"Ctrl+Shift+M: the chart of all methods. Click on a point of it to use that method.",
      [](const PanelInput& input, const Panels&) {
-       const auto& compared = input.comparison.result;
+       const auto& compared = input.results.comparison.result;
        const Settings& now = input.status.snapshot->settings;
        return compared && std::ranges::any_of(compared->record.rows, [&](const Row& row) {
                 return row.method == now.integrator->id && substeps_of(row, now.frame_rate) == now.substeps;
@@ -84,9 +84,9 @@ void build_lesson(const PanelInput& input, Panels& panels) {
   unsigned number = 0;
   for (const LessonStep& step : lesson_steps) {
     const unsigned bit = 1u << number;
-    const bool was_reached = panels.lesson_steps_done + 1 >= bit;
-    if (was_reached && (panels.lesson_steps_done & bit) == 0 && step.is_done(input, panels)) panels.lesson_steps_done |= bit;
-    const bool is_done = (panels.lesson_steps_done & bit) != 0;
+    const bool was_reached = panels.side.lesson_steps_done + 1 >= bit;
+    if (was_reached && (panels.side.lesson_steps_done & bit) == 0 && step.is_done(input, panels)) panels.side.lesson_steps_done |= bit;
+    const bool is_done = (panels.side.lesson_steps_done & bit) != 0;
     ImGui::Spacing();
     check_box(is_done);
     ImGui::BeginGroup();

@@ -65,6 +65,7 @@ void recent_menu(const PanelInput& input, Panels& panels, Requests& requests) {
   if (!is_open) return;
   for (const std::filesystem::path& file : input.recent) {
     ImGui::PushID(file.c_str());
+    follow_text(file.native());
     if (ImGui::MenuItem(printable(file.filename().native(), 40).c_str())) requests.emplace_back(OpenFile{file});
     tooltip(printable(file.native()));
     ImGui::PopID();

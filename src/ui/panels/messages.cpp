@@ -24,7 +24,7 @@ std::string time_of_day() {
 void log_banners(const PanelInput& input, Panels& panels) {
   std::string shown;
   const Panels& constant = panels;
-  for (const std::string* text : {&input.status.diagnosis.message, &constant.file_notice, &constant.file_warnings}) {
+  for (const std::string* text : {&input.status.diagnosis.message, &constant.banners.file_notice, &constant.banners.file_warnings}) {
     if (text->empty()) continue;
     if (panels.messages.banners.find(*text) == std::string::npos) panels.messages.log(*text);
     shown += *text + '\n';

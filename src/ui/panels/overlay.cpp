@@ -76,7 +76,7 @@ void hint_out_of_view(const PanelInput& input, ImDrawList& list) {
 
 // The length of the spring that is being attached, beside its middle.
 void live_length(const PanelInput& input, ImDrawList& list) {
-  if (input.marks == nullptr || !input.marks->ghost_spring || input.tool == Action::DragTool) return;
+  if (input.marks == nullptr || !input.marks->ghost_spring || input.tool.action == Action::DragTool) return;
   const auto& [from, to] = *input.marks->ghost_spring;
   const Rect& scene = input.layout.scene;
   const Vec3 middle = input.camera.project(0.5 * (from + to), {scene.width, scene.height});
@@ -149,8 +149,8 @@ void point_numbers(const PanelInput& input, const Panels& panels, ImDrawList& li
 }
 
 void rubber_band(const PanelInput& input, ImDrawList& list) {
-  if (!input.rubber_band) return;
-  const ImVec2 min = corner(*input.rubber_band), size = extent(*input.rubber_band);
+  if (!input.tool.rubber_band) return;
+  const ImVec2 min = corner(*input.tool.rubber_band), size = extent(*input.tool.rubber_band);
   const ImVec2 max{min.x + size.x, min.y + size.y};
   list.AddRectFilled(min, max, (palette::accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 30));
   list.AddRect(min, max, palette::accent);
@@ -158,9 +158,9 @@ void rubber_band(const PanelInput& input, ImDrawList& list) {
 
 // The path of a cut: a light line on a dark one, visible on any cloth.
 void stroke(const PanelInput& input, ImDrawList& list) {
-  if (input.stroke.size() < 2) return;
+  if (input.tool.stroke.size() < 2) return;
   std::vector<ImVec2> stroke_points;
-  for (const glm::dvec2& at : input.stroke) stroke_points.push_back(place(input.layout.scene, at.x, at.y));
+  for (const glm::dvec2& at : input.tool.stroke) stroke_points.push_back(place(input.layout.scene, at.x, at.y));
   const auto count = static_cast<int>(stroke_points.size());
   list.AddPolyline(stroke_points.data(), count, palette::shade, 0, units(5.0));
   list.AddPolyline(stroke_points.data(), count, palette::accent, 0, units(2.0));
@@ -223,7 +223,7 @@ std::vector<WayOut> ways_out(const PanelInput& input) {
   const Status& status = input.status;
   const Settings& settings = status.snapshot->settings;
   std::vector<WayOut> ways;
-  if (const auto& found = input.remedy.found) {
+  if (const auto& found = input.results.remedy.found) {
     const Remedy& remedy = *found;
     const auto add_setting = [&](const std::string& label, const TestedSetting& setting) {
       ways.push_back({label, "Uses the tested setting and continues the run" + lines_of(setting.warnings), [&](Requests& requests) {
@@ -313,12 +313,12 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
   const Rect& scene = input.layout.scene;
   double down = 0.0;
   const auto& divergence = status.snapshot->divergence;
-  if (!divergence) panels.dismissed.reset();
+  if (!divergence) panels.banners.dismissed.reset();
 
   // why the run stopped
-  if (divergence && !status.diagnosis.message.empty() && panels.dismissed != divergence->time) {
+  if (divergence && !status.diagnosis.message.empty() && panels.banners.dismissed != divergence->time) {
     const Settings& settings = status.snapshot->settings;
-    const auto& [test, found] = input.remedy;
+    const auto& [test, found] = input.results.remedy;
     const std::string outcome = found ? describe(*found, settings) : test.empty() ? "" : test + "...";
     Banner banner{"stopped", {status.diagnosis.message}, {"Dismiss"}, palette::alarm, palette::bad};
     const auto& changes = status.diagnosis.failed ? status.diagnosis.failed->changes : std::vector<RecentChange>{};
@@ -327,25 +327,25 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
     const std::vector<WayOut> ways = ways_out(input);
     for (const WayOut& way : ways) banner.buttons.push_back(way.label.substr(0, way.label.find("###")));
     begin_banner(banner, scene, down, panels);
-    if (ImGui::Button("Dismiss")) panels.dismissed = divergence->time;
+    if (ImGui::Button("Dismiss")) panels.banners.dismissed = divergence->time;
     for (const WayOut& way : ways) {
       same_line_for(way.label.substr(0, way.label.find("###")).c_str());
       const bool is_pressed = ImGui::Button(way.label.c_str());
       if (!way.hint.empty()) tooltip(way.hint);
       if (!is_pressed) continue;
       way.take(requests);
-      if (!way.label.ends_with("###show")) panels.file_warnings.clear();
+      if (!way.label.ends_with("###show")) panels.banners.file_warnings.clear();
     }
     down += end_banner() + units(8.0);
   }
 
   // the open file changed on disk
-  if (!panels.file_notice.empty()) {
+  if (!panels.banners.file_notice.empty()) {
     const std::vector<std::string> buttons =
-        panels.file_is_missing ? std::vector<std::string>{"OK"} : std::vector<std::string>{"Reload", "Keep mine"};
-    begin_banner({"file", {panels.file_notice}, buttons, palette::notice, palette::warning}, scene, down, panels);
+        panels.banners.file_is_missing ? std::vector<std::string>{"OK"} : std::vector<std::string>{"Reload", "Keep mine"};
+    begin_banner({"file", {panels.banners.file_notice}, buttons, palette::notice, palette::warning}, scene, down, panels);
     std::optional<Answer> answer;
-    if (!panels.file_is_missing) {
+    if (!panels.banners.file_is_missing) {
       if (ImGui::Button("Reload")) answer = Answer::Reload;
       same_line_for("Keep mine");
     }
@@ -355,9 +355,9 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
   }
 
   // warnings about the opened file
-  if (!panels.file_warnings.empty() && down == 0.0) {
-    begin_banner({"remarks", {panels.file_warnings}, {"Dismiss"}, palette::notice, palette::warning}, scene, down, panels);
-    if (ImGui::Button("Dismiss")) panels.file_warnings.clear();
+  if (!panels.banners.file_warnings.empty() && down == 0.0) {
+    begin_banner({"remarks", {panels.banners.file_warnings}, {"Dismiss"}, palette::notice, palette::warning}, scene, down, panels);
+    if (ImGui::Button("Dismiss")) panels.banners.file_warnings.clear();
     end_banner();
   }
 }

@@ -129,14 +129,15 @@ void ratio_remark(double (*ratio)(const Forecast&, const Mode&), const std::stri
 void parameter_hint_row(const Parameter& row, const PanelInput& input) {
   using Scope = Parameter::Scope;
   if (&row == &substeps_parameter) return step_remark(*input.status.snapshot);
-  if (input.forecast == nullptr || input.status.snapshot->system->springs().empty()) return;
+  if (input.results.forecast == nullptr || input.status.snapshot->system->springs().empty()) return;
   const bool is_per_family = row.family.has_value();
   if ((row.scope == Scope::SpringStiffness && !is_per_family) || row.scope == Scope::PointMass || row.scope == Scope::Gravity)
-    sag_remark(*input.forecast);
+    sag_remark(*input.results.forecast);
   else if (row.scope == Scope::SpringDamping)
-    ratio_remark([](const Forecast&, const Mode& mode) { return dashpot_ratio(mode); }, "dashpots", *input.forecast);
+    ratio_remark([](const Forecast&, const Mode& mode) { return dashpot_ratio(mode); }, "dashpots", *input.results.forecast);
   else if (&row == &drag_parameter)
-    ratio_remark([](const Forecast& forecast, const Mode& mode) { return drag_ratio(mode, forecast.drag); }, "drag", *input.forecast);
+    ratio_remark([](const Forecast& forecast, const Mode& mode) { return drag_ratio(mode, forecast.drag); }, "drag",
+                 *input.results.forecast);
 }
 
 }  // namespace hooke

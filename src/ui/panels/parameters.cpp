@@ -20,8 +20,8 @@ namespace hooke {
 namespace {
 
 void edit_by_drag(Command command, Panels& panels, Requests& requests) {
-  requests.emplace_back(Edit{std::move(command), panels.edit_in_progress});
-  panels.edit_in_progress = true;
+  requests.emplace_back(Edit{std::move(command), panels.field.edit_in_progress});
+  panels.field.edit_in_progress = true;
 }
 
 NumberField field_of(const Parameter& row, const ControlRanges& controls, double value) {
@@ -52,11 +52,11 @@ void change(const Parameter& row, const NumberChange& change, const CommonValue&
             const PanelInput& input, Panels& panels, Requests& requests) {
   const auto& now = input.status.snapshot->system;
   const SheetWeights* sheet = input.status.document->sheet.get();
-  const bool continues = panels.edit_in_progress && panels.tuned_from != nullptr;
+  const bool continues = panels.field.edit_in_progress && panels.field.tuned_from != nullptr;
   const bool scales = change.is_drag && (continues || values.is_mixed());
   if (scales) {
-    if (!continues) panels.tuned_from = now;
-    if (auto scaled = scaled_values(row, *panels.tuned_from, *now, sheet, affected, change.value))
+    if (!continues) panels.field.tuned_from = now;
+    if (auto scaled = scaled_values(row, *panels.field.tuned_from, *now, sheet, affected, change.value))
       return edit_by_drag(*std::move(scaled), panels, requests);
   }
   const bool is_stiffness = row.scope == Parameter::Scope::SpringStiffness, is_damping = row.scope == Parameter::Scope::SpringDamping;
@@ -162,7 +162,7 @@ void build_parameters(const PanelInput& input, Panels& panels, Requests& request
   std::string_view group;
   bool open = false;
   const auto rows = parameters();
-  const AffectedParts& parts = panels.affected_parts.of(input.status, input.selection);
+  const AffectedParts& parts = panels.side.affected_parts.of(input.status, input.selection);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Parameter& row = rows[i];
     if (row.group != group) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "study/spectrum.h"
 #include "ui/panels.h"
 #include "ui/panels/open_list.h"
 #include "ui/plot_axis.h"
@@ -13,11 +14,6 @@
 
 namespace hooke {
 namespace {
-
-// The quantities of the whole scene, in the order of the list.
-constexpr std::string_view of_the_scene[] = {"kinetic",    "elastic",    "gravitational", "total",          "dissipated", "momentum_x",
-                                             "momentum_y", "momentum_z", "angular_x",     "angular_y",      "angular_z",  "center_x",
-                                             "center_y",   "center_z",   "least_strain",  "largest_strain", "fastest"};
 
 // Traces of the same unit.
 struct Plot {
@@ -119,9 +115,9 @@ std::size_t sample_at(const TraceTable& table, double time) {
 }
 
 // The values of all traces at a time.
-void show_readout(const TraceTable& table, const Plot& plot, double time) {
+void show_readout(const TraceTable& table, const Plot& plot, double time, bool is_spectrum) {
   const std::size_t i = sample_at(table, time);
-  std::string text = "t = " + quantity_text(table.times[i], "s");
+  std::string text = is_spectrum ? "f = " + quantity_text(table.times[i], "Hz") : "t = " + quantity_text(table.times[i], "s");
   for (const auto& [trace, text_color] : plot.lines)
     text += "\n" + trace->quantity.name() + " = " + quantity_text(trace->values[i], plot.unit);
   ImGui::SetTooltip("%s", text.c_str());
@@ -149,6 +145,17 @@ void draw_difference(ImDrawList& list, const TraceTable& table, const Plot& plot
   list.AddRectFilled({at.x - units(5.0), at.y - units(3.0)}, {at.x + size.x + units(5.0), at.y + size.y + units(3.0)}, palette::shade,
                      units(4.0));
   list.AddText(at, palette::text, text.c_str());
+}
+
+// The highest peak of a spectrum.
+void draw_peak(ImDrawList& list, const TraceTable& table, const Plot& plot, ImVec2 min, ImVec2 max) {
+  double highest = 0.0, frequency = 0.0;
+  for (const auto& [trace, color] : plot.lines)
+    for (std::size_t i = 1; i < table.times.size(); ++i)
+      if (trace->values[i] > highest) highest = trace->values[i], frequency = table.times[i];
+  if (frequency <= 0.0) return;
+  const std::string text = "peak at " + quantity_text(frequency, "Hz") + ", period " + quantity_text(1.0 / frequency, "s");
+  list.AddText({max.x - ImGui::CalcTextSize(text.c_str()).x - units(8.0), min.y + units(4.0)}, palette::text, text.c_str());
 }
 
 // The wheel zooms the time axis, a drag moves it, a click goes to the time under the mouse, and with Shift it sets a cursor.
@@ -202,15 +209,16 @@ void draw_names(ImDrawList& list, const Plot& plot, ImVec2 at, float width, int 
   }
 }
 
-void draw_plot(const PanelInput& input, const Plot& plot, const Rect& place, int number_of_plot, Panels& panels, Requests& requests) {
-  const TraceTable& table = *input.status.timeline.traces;
+void draw_plot(const PanelInput& input, const TraceTable& table, const Plot& plot, const Rect& place, int number_of_plot, Panels& panels,
+               Requests& requests) {
+  const bool is_spectrum = panels.plots.shows_spectrum;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float names_width = static_cast<float>(place.width) - units(66.0);
   const int names = lines_of_names(plot, names_width, static_cast<float>(place.height));
   const ImVec2 min{static_cast<float>(place.x) + units(56.0), static_cast<float>(place.y) + units(24.0 + (names - 1) * name_line)};
   const ImVec2 max{static_cast<float>(place.x + place.width) - units(10.0), static_cast<float>(place.y + place.height) - units(20.0)};
   if (max.x - min.x < units(40.0) || max.y - min.y < units(20.0)) return;
-  const Span span = shown_span(table, panels);
+  const Span span = is_spectrum ? Span{0.0, table.times.back(), 0, table.times.size()} : shown_span(table, panels);
   const PlotAxis y_axis = axis_of_values(plot, span);
   PlotAxis x_axis = fit_axis(span.first, span.last, std::max(2, static_cast<int>((max.x - min.x) / units(70.0))));
   x_axis.min = span.first;
@@ -228,7 +236,7 @@ void draw_plot(const PanelInput& input, const Plot& plot, const Rect& place, int
   }
   for (const double tick : x_axis.ticks()) {
     const float x = min.x + static_cast<float>(x_axis.fraction(tick)) * (max.x - min.x);
-    const std::string text = x_axis.label(tick) + " s";
+    const std::string text = x_axis.label(tick) + (is_spectrum ? " Hz" : " s");
     list.AddLine({x, min.y}, {x, max.y}, palette::line);
     // the label of the last tick ends within the panel
     const float width = ImGui::CalcTextSize(text.c_str()).x, end = static_cast<float>(place.x + place.width) - units(2.0);
@@ -239,11 +247,15 @@ void draw_plot(const PanelInput& input, const Plot& plot, const Rect& place, int
   for (const auto& [trace, color] : plot.lines) draw_error_band(list, table, *trace, span, x_axis, y_axis, min, max, color);
   for (const auto& [trace, text_color] : plot.lines) draw_line(list, table, *trace, span, x_axis, y_axis, min, max, text_color);
   list.PopClipRect();
-  draw_cursor(list, x_axis, input.status.snapshot->state.time, min, max, palette::text);
-  if (panels.time_under_mouse) draw_cursor(list, x_axis, *panels.time_under_mouse, min, max, palette::dim);
-  for (const auto& cursor : panels.plots.cursors)
-    if (cursor) draw_cursor(list, x_axis, *cursor, min, max, palette::accent);
-  draw_difference(list, table, plot, panels.plots, min, max);
+  if (is_spectrum) {
+    draw_peak(list, table, plot, min, max);
+  } else {
+    draw_cursor(list, x_axis, input.status.snapshot->state.time, min, max, palette::text);
+    if (panels.plots.time_under_mouse) draw_cursor(list, x_axis, *panels.plots.time_under_mouse, min, max, palette::dim);
+    for (const auto& cursor : panels.plots.cursors)
+      if (cursor) draw_cursor(list, x_axis, *cursor, min, max, palette::accent);
+    draw_difference(list, table, plot, panels.plots, min, max);
+  }
 
   // the unit above the axis
   const float names_y = static_cast<float>(place.y) + units(6.0);
@@ -255,66 +267,14 @@ void draw_plot(const PanelInput& input, const Plot& plot, const Rect& place, int
   ImGui::InvisibleButton("plot", {max.x - min.x, max.y - min.y});
   ImGui::PopID();
   const double time = time_under_mouse(x_axis, min, max);
-  handle_mouse(table, span, time, max.x - min.x, panels, requests);
+  if (!is_spectrum) handle_mouse(table, span, time, max.x - min.x, panels, requests);
   if (!ImGui::IsItemHovered()) return;
-  panels.next_time_under_mouse = time;
-  show_readout(table, plot, time);
-}
-
-// An entry of the list of quantities.
-void choice(const std::string& name, const PanelInput& input, Requests& requests) {
-  const System& system = *input.status.snapshot->system;
-  const auto quantity = find_quantity(name, system.point_count(), system.spring_count());
-  const bool is_out_of_plane = name.starts_with("z") || name.starts_with("vz") || name == "momentum_z" || name == "center_z" ||
-                               name == "angular_x" || name == "angular_y";
-  if (!quantity || (system.dimensions == 2 && is_out_of_plane)) return;
-  SetPlots set;
-  bool is_watched = false;
-  for (const Trace& trace : input.status.timeline.traces->traces) {
-    const bool is_same = trace.quantity.name() == name;
-    is_watched = is_watched || is_same;
-    if (!is_same) set.plots.push_back(trace.quantity.name());
-  }
-  if (!is_watched) set.plots.push_back(name);
-  const std::string text = std::string(quantity->row->description) + (quantity->row->of == QuantityRow::Of::Scene ? "" : ": " + name);
-  if (ImGui::MenuItem(text.c_str(), unit_text(quantity->row->unit).c_str(), is_watched)) requests.emplace_back(Edit{std::move(set)});
-}
-
-// A menu for each selected point or spring.
-template <class Id>
-void choices_of(const std::vector<Id>& ids, QuantityRow::Of of, const char* what, const PanelInput& input, Requests& requests) {
-  constexpr std::size_t max_menus = 12;
-  const System& system = *input.status.snapshot->system;
-  if (!ids.empty()) ImGui::Separator();
-  for (std::size_t i = 0; i < std::min(ids.size(), max_menus); ++i) {
-    const Index at = system.index_of(ids[i]);
-    if (at == no_index || !ImGui::BeginMenu((what + std::to_string(at)).c_str())) continue;
-    for (const QuantityRow& row : quantity_rows())
-      if (row.of == of) choice(std::string(row.name) + std::to_string(at), input, requests);
-    ImGui::EndMenu();
-  }
-  if (ids.size() > max_menus) dim_text("and " + std::to_string(ids.size() - max_menus) + " more: select fewer");
-}
-
-// Quantities of the scene, what is plotted of points and springs, and the selected ones.
-void choices(const PanelInput& input, Requests& requests) {
-  for (const std::string_view name : of_the_scene) choice(std::string(name), input, requests);
-  ImGui::Separator();
-  for (const QuantityRow& row : quantity_rows())
-    if (row.needs_accuracy) choice(std::string(row.name), input, requests);
-  bool is_first = true;
-  for (const Trace& trace : input.status.timeline.traces->traces) {
-    if (trace.quantity.row->of == QuantityRow::Of::Scene) continue;
-    if (std::exchange(is_first, false)) ImGui::Separator();
-    choice(trace.quantity.name(), input, requests);
-  }
-  choices_of(input.selection.points, QuantityRow::Of::Point, "Point ", input, requests);
-  choices_of(input.selection.springs, QuantityRow::Of::Spring, "Spring ", input, requests);
-  if (!input.selection.has_parts()) dim_text("Select points or springs for more quantities");
+  if (!is_spectrum) panels.plots.next_time_under_mouse = time;
+  show_readout(table, plot, time, is_spectrum);
 }
 
 void buttons(const PanelInput& input, const Rect& place, Panels& panels, Requests& requests) {
-  const float x = static_cast<float>(place.x) + units(8.0), width = units(62.0);
+  const float x = static_cast<float>(place.x) + units(6.0), width = units(68.0);
   float y = static_cast<float>(place.y) + units(8.0);
   const auto button = [&](const char* name, const char* hint) {
     ImGui::SetCursorScreenPos({x, y});
@@ -335,14 +295,22 @@ void buttons(const PanelInput& input, const Rect& place, Panels& panels, Request
     panels.plots.seconds = 1e9;
     panels.plots.end.reset();
   }
+  bool& spectrum = panels.plots.shows_spectrum;
+  if (button(spectrum ? "Times" : "Spectrum", spectrum ? "Show the values over time" : "Show the frequencies in the visible time span"))
+    spectrum = !spectrum;
   if (ImGui::BeginPopup("choose")) {
-    choices(input, requests);
+    build_plot_choices(input, requests);
     close_on_escape(input, panels);
     ImGui::EndPopup();
   }
 }
 
 }  // namespace
+
+std::pair<double, double> shown_times(const TraceTable& table, const Panels& panels) {
+  const Span span = shown_span(table, panels);
+  return {span.first, span.last};
+}
 
 std::vector<Quantity> plotted(const DocumentStatus& document, const System& system) {
   static const std::vector<std::string> energies = {"kinetic", "elastic", "gravitational", "total"};
@@ -362,17 +330,23 @@ void build_plots(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PushFont(fonts().small);
   buttons(input, dock, panels, requests);
 
-  const TraceTable& table = *input.status.timeline.traces;
+  const TraceTable& times = *input.status.timeline.traces;
+  TraceTable spectrum;
+  if (panels.plots.shows_spectrum && !times.times.empty()) {
+    const auto [first, last] = shown_times(times, panels);
+    spectrum = spectrum_of(times, first, last);
+  }
+  const TraceTable& table = panels.plots.shows_spectrum ? spectrum : times;
   const std::vector<Plot> plots = plots_of(table);
   const double left = dock.x + units(78.0), width = dock.width - units(78.0);
   if (table.times.empty() || plots.empty()) {
     ImGui::SetCursorScreenPos({static_cast<float>(left) + units(12.0), static_cast<float>(dock.y) + units(12.0)});
-    paragraph(plots.empty() ? "Choose what to plot" : "Press Space to run the scene", palette::dim);
+    paragraph(times.traces.empty() ? "Choose what to plot" : "Press Space to run the scene", palette::dim);
   }
   for (std::size_t i = 0; i < plots.size() && !table.times.empty(); ++i) {
     const double fraction = width / static_cast<double>(plots.size());
-    draw_plot(input, plots[i], {left + static_cast<double>(i) * fraction, dock.y, fraction, dock.height}, static_cast<int>(i), panels,
-              requests);
+    draw_plot(input, table, plots[i], {left + static_cast<double>(i) * fraction, dock.y, fraction, dock.height}, static_cast<int>(i),
+              panels, requests);
   }
   ImGui::PopFont();
   ImGui::End();

@@ -55,7 +55,7 @@ void buttons(const ResultStatus<ResultCheck>& status, Panels& panels, Requests& 
   }
   ImGui::SameLine(ImGui::GetWindowWidth() - units(64.0) - ImGui::GetStyle().WindowPadding.x);
   if (ImGui::Button("Close", {units(64.0), units(30.0)})) {
-    panels.result_check_shown = false;
+    panels.shown.result_check = false;
     requests.emplace_back(StopResultCheck{});
   }
 }
@@ -63,13 +63,13 @@ void buttons(const ResultStatus<ResultCheck>& status, Panels& panels, Requests& 
 }  // namespace
 
 void build_result_check(const PanelInput& input, Panels& panels, Requests& requests) {
-  if (!panels.result_check_shown) return;
+  if (!panels.shown.result_check) return;
   DockedPanel panel("result_check", dock_panel(input.layout, units(1.0), left_panel_width(input, panels, 500.0), 400.0), panels);
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Check this result");
   ImGui::PopFont();
   panel.begin_content();
-  const ResultStatus<ResultCheck>& status = input.result_check;
+  const ResultStatus<ResultCheck>& status = input.results.result_check;
   if (status.is_running) {
     paragraph(
         "Runs copies of the scene from its present state: with the same step, with half of it, and with half of it and twice the "

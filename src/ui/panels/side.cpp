@@ -88,7 +88,7 @@ void build_side(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PopStyleVar();
   // another scene is read from its top, with the groups that it is about open
   const bool is_about_forces = has_forces_first(input);
-  if (std::exchange(panels.side_to_top, false)) {
+  if (std::exchange(panels.side.to_top, false)) {
     ImGui::SetScrollY(0.0f);
     open_section(forces_section, is_about_forces);
     open_section(std::string(parameter_group::contact), input.status.snapshot->system->contact.any());

@@ -49,7 +49,7 @@ void build_spring_law(const PanelInput& input, const std::vector<Index>& springs
       if (law.force != SpringForce::Cubic) law.k3 = 0.0;
       command.values.emplace_back(list[s].id, law == SpringLaw{} ? std::nullopt : std::optional(law));
     }
-    requests.emplace_back(Edit{std::move(command), panels.edit_in_progress});
+    requests.emplace_back(Edit{std::move(command), panels.field.edit_in_progress});
   };
 
   const Common<SpringForce> force = common(springs, [&](Index s) { return law_of(s).force; });

@@ -30,7 +30,7 @@ void draw_stamp(const std::string& text, const Rect& place) {
 StaticPanels::StaticPanels(int width, int height, const ViewOptions& view, Shown shown)
     : layout_(lay_out(width, height, view.scale)), has_panels_(shown.panels) {
   panels_.view = view;
-  panels_.accuracy_shown = shown.accuracy;
+  panels_.shown.accuracy = shown.accuracy;
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = io.LogFilename = nullptr;
@@ -48,12 +48,10 @@ const ImDrawData* StaticPanels::build(const Status& status, const Camera& camera
   const PanelInput input{.status = status,
                          .selection = selection_,
                          .layout = layout_,
-                         .tools = tool_buttons(),
-                         .tool = tool_buttons().front().action,
-                         .next_step = {},
+                         .tool = {tool_buttons(), tool_buttons().front().action},
                          .file = file,
                          .camera = camera,
-                         .forecast = &forecast_,
+                         .results = {.forecast = &forecast_},
                          .marks = marks};
   for (int frame = 0; frame < frames_to_settle; ++frame) {
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;

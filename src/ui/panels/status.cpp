@@ -48,7 +48,8 @@ float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str(
 // What is being written to a file, shown in red.
 std::string recording_text(const PanelInput& input) {
   std::string taken;
-  if (input.film_seconds >= 0.0) taken = "\u25cf film " + number_text(std::floor(input.film_seconds)) + " s    ";
+  if (input.film_seconds >= 0.0)
+    taken = "\u25cf film " + number_text(std::floor(input.film_seconds)) + " s, " + key_text(shortcut_of(Action::FilmOnOff)) + " stops    ";
   if (!input.status.recording.file.empty()) taken += "\u25cf recording    ";
   if (input.status.recording.playback_progress > 0.0)
     taken += "replay " + number_text(std::round(100.0 * input.status.recording.playback_progress)) + " %    ";
@@ -73,12 +74,12 @@ void build_status_bar(const PanelInput& input) {
   ImGui::GetWindowDrawList()->AddLine(corner(bar), {static_cast<float>(bar.x + bar.width), static_cast<float>(bar.y)}, palette::line);
   ImGui::PushFont(fonts().small);
   ImGui::SetCursorPosY(units(7.0));
-  const std::string tool(shortcut_of(input.tool).text), hand = hand_text(input), taken = recording_text(input);
+  const std::string tool(shortcut_of(input.tool.action).text), hand = hand_text(input), taken = recording_text(input);
 
   // the most detailed figures that leave space for the text, which is truncated otherwise
   const float edge = units(14.0), gap = units(16.0), line = static_cast<float>(bar.width) - 2.0f * edge;
   const float left = width_of(tool) + units(8.0),
-              desired = left + width_of(input.next_step) + gap + (hand.empty() ? 0.0f : width_of(hand) + gap);
+              desired = left + width_of(input.tool.next_step) + gap + (hand.empty() ? 0.0f : width_of(hand) + gap);
   const auto all = figures(input);
   const auto text = std::ranges::find_if(all.begin(), all.end() - 1,
                                          [&](const Figures& each) { return desired + width_of(taken + each.error + each.rest) <= line; });
@@ -86,7 +87,7 @@ void build_status_bar(const PanelInput& input) {
 
   text_in(palette::accent, tool);
   ImGui::SameLine(0.0f, units(8.0));
-  ImGui::TextUnformatted(shortened(input.next_step, line - left - gap - right - (hand.empty() ? 0.0f : width_of(hand) + gap)).c_str());
+  ImGui::TextUnformatted(shortened(input.tool.next_step, line - left - gap - right - (hand.empty() ? 0.0f : width_of(hand) + gap)).c_str());
   if (!hand.empty()) {
     ImGui::SameLine(0.0f, gap);
     text_in(palette::warning, hand);

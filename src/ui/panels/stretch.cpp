@@ -43,7 +43,7 @@ void strain_rows(const StretchBreakdown& stretch) {
 }  // namespace
 
 void build_stretch(const PanelInput& input, Requests& requests) {
-  const ResultStatus<StretchBreakdown>& status = input.stretch;
+  const ResultStatus<StretchBreakdown>& status = input.results.stretch;
   const bool is_of_selection = status.result && status.result->springs == input.selection.springs;
   begin_row("Stretch");
   if (status.is_running) {

@@ -44,10 +44,10 @@ void build_toolbar(const PanelInput& input, Requests& requests) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(6.0), units(button_margin)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(4.0), units(button_gap)});
   begin_panel("tools", input.layout.tools, ImGuiWindowFlags_NoScrollbar);
-  const double height = height_for(input.layout.tools, input.tools.size());
-  for (const ToolButton& tool : input.tools) {
+  const double height = height_for(input.layout.tools, input.tool.buttons.size());
+  for (const ToolButton& tool : input.tool.buttons) {
     ImGui::PushID(static_cast<int>(tool.action));
-    if (tool_button(tool, tool.action == input.tool, height)) requests.emplace_back(tool.action);
+    if (tool_button(tool, tool.action == input.tool.action, height)) requests.emplace_back(tool.action);
     tooltip(tool.action);
     ImGui::PopID();
   }

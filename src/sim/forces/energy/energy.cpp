@@ -5,6 +5,15 @@
 #include <glm/geometric.hpp>
 
 namespace hooke {
+namespace {
+
+SpringResponse response_at(const System& system, const State& state, const Spring& spring) {
+  const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
+  const double extension = length - system.rest_length_of(spring, state.time);
+  return response_of(spring.law ? *spring.law : SpringLaw{}, system.stiffness_of(spring), extension);
+}
+
+}  // namespace
 
 Energy compute_energy(const System& system, const State& state) {
   Energy energy{.kinetic = kinetic_energy(system, state)};
@@ -28,12 +37,8 @@ double kinetic_energy(const System& system, const State& state) {
   return energy;
 }
 
-double elastic_energy(const System& system, const State& state, const Spring& spring) {
-  const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
-  const double extension = length - system.rest_length_of(spring, state.time);
-  if (spring.law) return response_of(*spring.law, system.stiffness_of(spring), extension).energy;
-  return 0.5 * system.stiffness_of(spring) * extension * extension;
-}
+double elastic_energy(const System& system, const State& state, const Spring& spring) { return response_at(system, state, spring).energy; }
+double tension(const System& system, const State& state, const Spring& spring) { return response_at(system, state, spring).tension; }
 
 Momentum compute_momentum(const System& system, const State& state) {
   Momentum momentum;

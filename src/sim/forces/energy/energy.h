@@ -21,6 +21,8 @@ struct Momentum {
 Energy compute_energy(const System& system, const State& state);
 double kinetic_energy(const System& system, const State& state);                        // [J]
 double elastic_energy(const System& system, const State& state, const Spring& spring);  // [J]
+// [N], without the dashpot; negative: compression.
+double tension(const System& system, const State& state, const Spring& spring);
 Momentum compute_momentum(const System& system, const State& state);
 
 // l / l0 - 1 of a spring [1]; for l0 = 0 the length [m] itself.

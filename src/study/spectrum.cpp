@@ -1,0 +1,67 @@
+#include "study/spectrum.h"
+
+#include <unsupported/Eigen/FFT>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace hooke {
+namespace {
+
+constexpr std::size_t min_values = 8;
+// Zeros after the values give points between the frequencies, so that a peak is found to a fraction of their distance.
+constexpr std::size_t padding = 4;
+constexpr double noticed = 0.01;  // of the largest amplitude
+
+std::vector<double> amplitudes(const std::vector<double>& values, std::size_t begin, std::size_t end) {
+  const std::size_t n = end - begin;
+  const auto first = values.begin() + static_cast<std::ptrdiff_t>(begin);
+  const double mean = std::accumulate(first, first + static_cast<std::ptrdiff_t>(n), 0.0) / static_cast<double>(n);
+  std::vector<double> padded(padding * std::bit_ceil(n), 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double phase = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n - 1);
+    padded[i] = (values[begin + i] - mean) * 0.5 * (1.0 - std::cos(phase));
+  }
+  std::vector<std::complex<double>> transformed;
+  Eigen::FFT<double>().fwd(transformed, padded);
+  std::vector<double> result(padded.size() / 2);
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = 4.0 / static_cast<double>(n) * std::abs(transformed[k]);
+  return result;
+}
+
+}  // namespace
+
+TraceTable spectrum_of(const TraceTable& table, double first, double last) {
+  auto begin = static_cast<std::size_t>(std::ranges::lower_bound(table.times, first) - table.times.begin());
+  const auto end = static_cast<std::size_t>(std::ranges::upper_bound(table.times, last) - table.times.begin());
+  // values at equal distances: after the last jump of the time
+  for (std::size_t i = begin + 1; i < end; ++i)
+    if (table.continues[i] == 0) begin = i;
+  TraceTable spectrum;
+  if (end < begin + min_values) return spectrum;
+  const double step = (table.times[end - 1] - table.times[begin]) / static_cast<double>(end - 1 - begin);
+  std::size_t shown = min_values;
+  for (const Trace& trace : table.traces) {
+    const bool is_known = std::all_of(trace.values.begin() + static_cast<std::ptrdiff_t>(begin),
+                                      trace.values.begin() + static_cast<std::ptrdiff_t>(end), [](double v) { return std::isfinite(v); });
+    if (!is_known) continue;
+    spectrum.traces.push_back({trace.quantity, amplitudes(trace.values, begin, end)});
+    const std::vector<double>& found = spectrum.traces.back().values;
+    const double limit = noticed * *std::ranges::max_element(found);
+    for (std::size_t k = found.size(); k-- > shown;)
+      if (found[k] > limit) shown = k + 1;
+  }
+  if (spectrum.traces.empty()) return spectrum;
+  shown = std::min(shown + shown / 4, spectrum.traces.front().values.size());
+  for (Trace& trace : spectrum.traces) trace.values.resize(shown);
+  const double width = 1.0 / (step * static_cast<double>(padding * std::bit_ceil(end - begin)));
+  for (std::size_t k = 0; k < shown; ++k) spectrum.times.push_back(width * static_cast<double>(k));
+  spectrum.continues.assign(shown, 1);
+  spectrum.errors.assign(shown, std::nan(""));
+  return spectrum;
+}
+
+}  // namespace hooke

@@ -1,0 +1,12 @@
+// The frequencies of what is plotted.
+#pragma once
+
+#include "lab/traces.h"
+
+namespace hooke {
+
+// The amplitude at each frequency [Hz], which takes the place of the time, of the values between two times [s]: their discrete Fourier
+// transform with a Hann window. Only up to the highest frequency that is noticed. Empty where there are too few values.
+TraceTable spectrum_of(const TraceTable& table, double first, double last);
+
+}  // namespace hooke
