@@ -119,10 +119,9 @@ void TouchSimulation::run_alone(const SurfacePlan& plan, double h) {
     if (impacts >= contact::max_impacts) continue;
     const double left = h_ - time_;
     start_ += time_;
-    for (PointPath& path : paths) {
-      path.advance(time_);
-      path.time = 0.0;
-    }
+    for (PointPath& path : paths) path.advance(time_);
+    follow_balls();
+    for (PointPath& path : paths) path.time = 0.0;
     paths.front().a = paths.front().free_acceleration - paths.front().held;
     for (Touch& touch : touches) touch.is_at_rest = false;
     start(left);
@@ -297,7 +296,7 @@ void TouchSimulation::rest() {
     const Touch& touch = touches[k];
     if (touch.impulse.normal > 0.0) memory_.now.push_back({{touch.point, touch.other}, touch.impulse});
   }
-  separate(rough);
+  if (!is_alone_) separate(rough);
 }
 
 void TouchSimulation::change(std::size_t path) {
@@ -343,6 +342,7 @@ bool TouchSimulation::advance() {
   if (queue_.empty() || impacts_ > 2 * max_impacts()) {
     for (PointPath& path : paths) path.advance(h_);
     for (std::size_t p = 0; p < separation_.size(); ++p) paths[p].x += separation_[p];
+    if (is_alone_) follow_balls();
     time_ = h_;
     // impacts that are left out, of which there are too many
     for (const auto& left_out : queue_) paths[touches[left_out.touch].first].is_changed = true;
@@ -392,6 +392,22 @@ void TouchSimulation::list_touches_of_paths() {
   std::vector<std::size_t>& end = of_paths_.end;
   end.assign(of_paths_.first.begin(), of_paths_.first.end() - 1);
   visit([&](std::size_t p, std::size_t t) { of_paths_.touches[end[p]++] = t; });
+}
+
+// What presses on a ball moves on to its surface, and along it.
+void TouchSimulation::follow_balls() {
+  for (const std::size_t k : active_) {
+    const Touch& touch = touches[k];
+    if (touch.curvature == 0.0 || touch.impulse.normal == 0.0) continue;
+    PointPath& path = paths[touch.first];
+    const PointPath& ball = paths[touch.second];
+    const Gap gap = gap_to(shape_of(touch), inflation(touch), path.x - ball.x);
+    const double moved = h_ * (glm::length(path.v - ball.v) + h_ * glm::length(path.a - ball.a));
+    if (std::abs(gap.distance) > touch.curvature * moved * moved) continue;
+    path.x -= gap.distance * gap.normal;
+    path.v -= glm::dot(gap.normal, path.v - ball.v) * gap.normal;
+    path.velocity_correction -= glm::dot(gap.normal, path.velocity_correction - ball.velocity_correction) * gap.normal;
+  }
 }
 
 void TouchSimulation::leave_obstacles() {

@@ -68,6 +68,7 @@ class TouchSimulation {
   enum class Settled { Starts, Corrections, Ends };
   void settle_velocities(Settled what, double tolerance);
   void leave_corrections();
+  void follow_balls();
   void recall_loads();
   void separate(double tolerance);
   void predict(Touch& touch) const;
