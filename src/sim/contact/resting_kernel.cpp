@@ -74,8 +74,8 @@ HWY_INLINE Path relative_to(const Obstacle& obstacle, double h, const Path& path
 // 1-norm
 HWY_INLINE Lane size_of(const LaneVec3& a) { return hn::Abs(a.x) + hn::Abs(a.y) + hn::Abs(a.z); }
 
-// Those that certainly stay clear of a shape, which lies behind the tangent plane below their start: paths deviate from the straight line by
-// at most an eighth of h times the change of their velocity. False if a number is not one.
+// Those that certainly stay clear of a shape, which lies behind the tangent plane below their start: paths deviate from the straight line
+// by at most an eighth of h times the change of their velocity. False if a number is not one.
 template <class Shape>
 HWY_INLINE LaneMask stay_clear_of(const Shape& shape, double h, Lane radius, const Path& path) {
   const LaneGap gap = lane_gap(shape, radius, path.x0);
@@ -117,8 +117,7 @@ HWY_INLINE void follow_ball(const LaneGap& gap, Lane load, double friction, doub
 
 // Along a shape at rest.
 template <class Shape>
-HWY_INLINE Corrected slide(const Shape& shape, double friction, double lag, double h, double unknown_speed, Lane radius,
-                           const Path& path) {
+HWY_INLINE Corrected slide(const Shape& shape, double friction, double lag, double h, double unknown_speed, Lane radius, const Path& path) {
   constexpr bool is_curved = std::is_same_v<Shape, Sphere>;
   const Lane zero = same(0.0), time = same(h);
   const LaneVec3 none{zero, zero, zero}, change = minus(path.v1, path.v0), a = times(same(1.0 / h), change);
@@ -247,7 +246,8 @@ HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const
 
   // not into another obstacle
   for (const Obstacle& other : block.obstacles)
-    if (&other != &obstacle && !hn::AllFalse(d, end.moves)) solved = hn::And(solved, stay_clear(other, h, radius, {path.x0, path.v0, x, v}));
+    if (&other != &obstacle && !hn::AllFalse(d, end.moves))
+      solved = hn::And(solved, stay_clear(other, h, radius, {path.x0, path.v0, x, v}));
   if (hn::AllFalse(d, solved)) return solved;
   const LaneVec3 change = minus(path.v1, path.v0);
   const Lane mass = load(block.plan.mass.data() + i, count);
@@ -255,8 +255,8 @@ HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const
   const Lane work = mass * (kinetic - dot(change, minus(x, path.x0)) / same(h));
   store(work, solved, count, points.work + at);
   if (points.supplied != nullptr) {
-    const double speed = std::max(glm::length(obstacle.velocity), glm::length(obstacle.velocity_at(h))) +
-                         glm::length(obstacle.velocity_correction);
+    const double speed =
+        std::max(glm::length(obstacle.velocity), glm::length(obstacle.velocity_at(h))) + glm::length(obstacle.velocity_correction);
     store(same(speed) * mass * (length(minus(v, path.v1)) + length(change)), solved, count, points.supplied + at);
   }
   store_point(block.plan, x, solved, count, block.x, i);
@@ -312,8 +312,8 @@ HWY_INLINE void solve_points(const Block& block, std::size_t i, std::size_t coun
       points.outcome[at + lane] = (solved_bits >> lane & 1U) != 0 ? RestingPoints::Solved : RestingPoints::Open;
 }
 
-void solve_resting(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out, std::size_t first, std::size_t end,
-                   const double* x0, const double* v0, double* x, double* v, RestingPoints& points) {
+void solve_resting(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out, std::size_t first,
+                   std::size_t end, const double* x0, const double* v0, double* x, double* v, RestingPoints& points) {
   const std::size_t lanes = hn::Lanes(PointLanes());
   const Block block{plan, obstacles, h, lag, left_out, x0, v0, x, v};
   points.any_solved = points.any_open = false;
@@ -330,8 +330,8 @@ namespace hooke {
 
 HWY_EXPORT(solve_resting);
 
-void solve_resting_points(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out, std::size_t first, std::size_t end,
-                          const Field& x0, const Field& v0, Field& x, Field& v, RestingPoints& points) {
+void solve_resting_points(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out,
+                          std::size_t first, std::size_t end, const Field& x0, const Field& v0, Field& x, Field& v, RestingPoints& points) {
   HWY_DYNAMIC_DISPATCH(solve_resting)
   (plan, obstacles, h, lag, left_out, first, end, x0.data(), v0.data(), x.data(), v.data(), points);
 }
