@@ -30,8 +30,8 @@ Collider floor_with(const ColliderPath& path, double friction) { return {.shape 
 class Moving : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Moving, testing::ValuesIn(every_method()), method_name);
 
-// the point slides until mu g t = v and then moves with the belt: x = v t - v^2 / (2 mu g), up to what it moves along the belt in the substep
-// in which it stops on it, and half a substep further with symplectic Euler
+// the point slides until mu g t = v and then moves with the belt: x = v t - v^2 / (2 mu g), up to what it moves along the belt in the
+// substep in which it stops on it, and half a substep further with symplectic Euler
 TEST_P(Moving, ABeltAcceleratesAPointByFrictionUpToItsSpeed) {
   const double mu = 0.4, v = 1.5, reaches = v / (mu * g);
   for (const int substeps : {1, 7}) {

@@ -159,7 +159,8 @@ bool resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
   std::array<PointPass::Touches, max_parts> touches;
   before.alone.resize(max_parts);
   const int parts = for_parts(plan, blocks, min_blocks, [&](int part, Index first, Index end) {
-    for (Index number = first; number < end; ++number) pass.solve_block(static_cast<std::size_t>(number), before.alone[part], touches[part]);
+    for (Index number = first; number < end; ++number)
+      pass.solve_block(static_cast<std::size_t>(number), before.alone[part], touches[part]);
   });
   PointPass::Touches all;
   for (const PointPass::Touches& each : std::span(touches).first(static_cast<std::size_t>(parts))) {

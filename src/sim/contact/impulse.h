@@ -30,9 +30,9 @@ inline Vec3 change_impulse(ContactImpulse& impulse, double new_normal, const Vec
   return total + (impulse.friction - before);
 }
 
-// How overlaps of points and of surfaces are removed: by the velocity `rate` times the overlap [1/s], which is the bias of a soft constraint
-// with frequency omega and damping ratio zeta (E. Catto, Box2D v3, b2MakeSoft), and by no more than the force of its spring, which
-// accelerates by `stiffness` times the overlap [1/s^2]. Unlike there, what approaches is stopped by any force.
+// How overlaps of points and of surfaces are removed: by the velocity `rate` times the overlap [1/s], which is the bias of a soft
+// constraint with frequency omega and damping ratio zeta (E. Catto, Box2D v3, b2MakeSoft), and by no more than the force of its spring,
+// which accelerates by `stiffness` times the overlap [1/s^2]. Unlike there, what approaches is stopped by any force.
 struct SoftConstraint {
   double rate = 0.0, stiffness = 0.0;
 };

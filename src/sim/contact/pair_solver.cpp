@@ -121,8 +121,8 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
   for (Index i = 0; i < plan.points; ++i) {
     if (is_involved_[i] == 0) continue;
     path_of_[i] = simulation_.paths.size();
-    simulation_.add_point(plan, i, vector_at(plan, x0, i), vector_at(plan, v0, i), vector_at(plan, motion.x, i), vector_at(plan, motion.v, i),
-                          h);
+    simulation_.add_point(plan, i, vector_at(plan, x0, i), vector_at(plan, v0, i), vector_at(plan, motion.x, i),
+                          vector_at(plan, motion.v, i), h);
   }
 
   for (const PointPair& pair : pairs_) {

@@ -31,7 +31,6 @@ HWY_INLINE LaneVec3 same(const Vec3& a) { return {same(a.x), same(a.y), same(a.z
 HWY_INLINE LaneVec3 plus(const LaneVec3& a, const LaneVec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 HWY_INLINE LaneVec3 minus(const LaneVec3& a, const LaneVec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 HWY_INLINE LaneVec3 times(Lane s, const LaneVec3& a) { return {s * a.x, s * a.y, s * a.z}; }
-HWY_INLINE LaneVec3 over(const LaneVec3& a, Lane s) { return {a.x / s, a.y / s, a.z / s}; }
 HWY_INLINE Lane dot(const LaneVec3& a, const LaneVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 HWY_INLINE Lane length(const LaneVec3& a) { return hn::Sqrt(dot(a, a)); }
 HWY_INLINE LaneVec3 choose(LaneMask mask, const LaneVec3& yes, const LaneVec3& no) {
@@ -49,7 +48,7 @@ struct LaneGap {
 HWY_INLINE LaneGap lane_gap(const Sphere& sphere, Lane radius, const LaneVec3& x) {
   const LaneVec3 out = minus(x, same(sphere.center));
   const Lane distance = length(out), inflated_radius = same(sphere.radius) + radius;
-  return {distance - inflated_radius, over(out, distance), same(1.0) / inflated_radius};
+  return {distance - inflated_radius, times(same(1.0) / distance, out), same(1.0) / inflated_radius};
 }
 HWY_INLINE LaneGap lane_gap(const Plane& plane, Lane radius, const LaneVec3& x) {
   const LaneVec3 normal = same(plane.normal);
@@ -60,7 +59,7 @@ HWY_INLINE LaneGap lane_gap(const Box& box, Lane radius, const LaneVec3& x) {
   const auto outside = [](Lane at, double min, double max) HWY_ATTR { return at - hn::Max(same(min), hn::Min(at, same(max))); };
   const LaneVec3 out{outside(x.x, box.min.x, box.max.x), outside(x.y, box.min.y, box.max.y), outside(x.z, box.min.z, box.max.z)};
   const Lane distance = length(out);
-  return {distance - radius, over(out, distance), same(0.0)};
+  return {distance - radius, times(same(1.0) / distance, out), same(0.0)};
 }
 
 // Points during a step without contact, perhaps relative to an obstacle.
@@ -69,28 +68,35 @@ struct Path {
 };
 HWY_INLINE bool is_in_place(const Obstacle& obstacle) { return obstacle.offset == Vec3(0.0) && !moves(obstacle); }
 HWY_INLINE Path relative_to(const Obstacle& obstacle, double h, const Path& path) {
-  if (is_in_place(obstacle)) return path;
   return {minus(path.x0, same(obstacle.offset)), minus(path.v0, same(obstacle.velocity)), minus(path.x1, same(obstacle.offset_at(h))),
           minus(path.v1, same(obstacle.velocity_at(h)))};
 }
+// 1-norm
+HWY_INLINE Lane size_of(const LaneVec3& a) { return hn::Abs(a.x) + hn::Abs(a.y) + hn::Abs(a.z); }
 
-// Those that certainly stay clear of a shape, which lies behind the tangent plane below their start: paths deviate from the straight line by
-// at most an eighth of h times the change of their velocity. False if a number is not one.
-HWY_INLINE LaneMask stay_clear(const Collider& collider, double h, Lane radius, const Path& path) {
-  return std::visit(
-      [&](const auto& shape) HWY_ATTR {
-        const LaneGap gap = lane_gap(shape, radius, path.x0);
-        const Lane end = hn::Min(same(0.0), dot(gap.normal, minus(path.x1, path.x0)));
-        const Lane bulge = same(0.125 * h) * hn::Abs(dot(gap.normal, minus(path.v1, path.v0)));
-        return hn::Gt(gap.distance + end - bulge, tolerance_at(path.x0) + tolerance_at(gap.normal));
-      },
-      collider.shape);
+// Those that certainly stay clear of a shape, which lies behind the tangent plane below their start: paths deviate from the straight line
+// by at most an eighth of h times the change of their velocity. False if a number is not one.
+template <class Shape>
+HWY_INLINE LaneMask stay_clear_of(const Shape& shape, double h, Lane radius, const Path& path) {
+  const LaneGap gap = lane_gap(shape, radius, path.x0);
+  const Lane end = hn::Min(same(0.0), dot(gap.normal, minus(path.x1, path.x0)));
+  const Lane bulge = same(0.125 * h) * hn::Abs(dot(gap.normal, minus(path.v1, path.v0)));
+  return hn::Gt(gap.distance + end - bulge, tolerance_at(path.x0));
+}
+HWY_INLINE LaneMask stay_clear(const ColliderShape& shape, double h, Lane radius, const Path& path) {
+  if (const auto* plane = std::get_if<Plane>(&shape)) return stay_clear_of(*plane, h, radius, path);
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return stay_clear_of(*sphere, h, radius, path);
+  return stay_clear_of(*std::get_if<Box>(&shape), h, radius, path);
+}
+HWY_INLINE LaneMask stay_clear(const Obstacle& obstacle, double h, Lane radius, const Path& path) {
+  if (is_in_place(obstacle)) return stay_clear(obstacle.collider->shape, h, radius, path);
+  return stay_clear(obstacle.collider->shape, h, radius, relative_to(obstacle, h, path));
 }
 
 struct Corrected {
   LaneVec3 x, v;          // at the end, v with the correction of the method's path
   LaneVec3 start, extra;  // velocities: at the start with that correction, and that correction at the end
-  LaneMask is_solved;
+  LaneMask is_solved, moves;
 };
 
 // From the tangent plane at the start, where the normal acceleration is `load`, down to the ball.
@@ -100,7 +106,7 @@ HWY_INLINE void follow_ball(const LaneGap& gap, Lane load, double friction, doub
   const LaneVec3 displacement = minus(end.x, x0);
   const Lane square = dot(displacement, displacement);
   const Lane fall = zero - square / (radius + hn::Sqrt(radius * radius - square));
-  const LaneVec3 normal = plus(gap.normal, over(plus(displacement, times(fall, gap.normal)), radius));
+  const LaneVec3 normal = plus(gap.normal, times(gap.curvature, plus(displacement, times(fall, gap.normal))));
   const LaneVec3 velocity = across(normal, plus(end.v, times(fall / same(h) + half_time * dot(a, gap.normal), gap.normal)));
   const Lane speed = length(velocity);
   const Lane end_load = hn::Max(zero, zero - dot(a, normal) - gap.curvature * dot(velocity, velocity));
@@ -111,22 +117,21 @@ HWY_INLINE void follow_ball(const LaneGap& gap, Lane load, double friction, doub
 
 // Along a shape at rest.
 template <class Shape>
-HWY_INLINE Corrected slide(const Shape& shape, double friction, double lag, double h, double unknown_speed, Lane radius,
-                           const Path& path) {
+HWY_INLINE Corrected slide(const Shape& shape, double friction, double lag, double h, double unknown_speed, Lane radius, const Path& path) {
   constexpr bool is_curved = std::is_same_v<Shape, Sphere>;
   const Lane zero = same(0.0), time = same(h);
-  const LaneVec3 none{zero, zero, zero}, change = minus(path.v1, path.v0), a = over(change, time);
+  const LaneVec3 none{zero, zero, zero}, change = minus(path.v1, path.v0), a = times(same(1.0 / h), change);
   const LaneGap gap = lane_gap(shape, radius, path.x0);
-  const Lane round_off = same(1e-12) * length(change);
+  const Lane round_off = same(1e-12) * size_of(change);
 
   // on the surface, moving neither into it nor away from it, and pressing on it
-  Corrected end{path.x0, none, path.v0, none, {}};
+  Corrected end{path.x0, none, path.v0, none, {}, hn::FirstN(PointLanes(), 0)};
   end.is_solved = hn::And(hn::Le(hn::Abs(gap.distance), tolerance_at(path.x0)),
-                          hn::Le(hn::Abs(dot(path.v0, gap.normal)), round_off + same(1e-12) * length(path.v0) + same(unknown_speed)));
+                          hn::Le(hn::Abs(dot(path.v0, gap.normal)), round_off + same(1e-12) * size_of(path.v0) + same(unknown_speed)));
   if (hn::AllFalse(PointLanes(), end.is_solved)) return end;
   if (friction == 0.0) {
     const LaneVec3 mean = times(same(0.5), plus(path.v0, path.v1));
-    end.extra = across(gap.normal, minus(over(minus(path.x1, path.x0), time), mean));
+    end.extra = across(gap.normal, minus(times(same(1.0 / h), minus(path.x1, path.x0)), mean));
     end.start = plus(path.v0, end.extra);
   }
   const Lane load = zero - dot(gap.normal, a) - gap.curvature * dot(end.start, end.start);
@@ -134,13 +139,15 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, double lag, doub
 
   // friction takes the direction of the end; what it stops within the step starts anew from rest, as far as forces then exceed it
   const LaneVec3 drive = across(gap.normal, change);
-  const Lane one = same(1.0), loss = same(friction) * load * time, square = dot(end.start, end.start);
+  const Lane one = same(1.0), loss = same(friction) * load * time, square = dot(end.start, end.start), bound = loss + round_off;
+  if (hn::AllTrue(PointLanes(), hn::Or(hn::Not(end.is_solved), hn::And(hn::Eq(square, zero), hn::Le(dot(drive, drive), bound * bound)))))
+    return end;  // all of them are at rest
   const Lane slowing = loss * hn::Sqrt(square) - dot(drive, end.start);
   const LaneMask stops = hn::And(hn::Gt(slowing, square), hn::Gt(same(lag == 0.0 ? 1.0 : 0.0), zero));
   const Lane until = hn::IfThenElse(stops, square / slowing, one), left = hn::IfThenElse(stops, one - until, one);
   const LaneVec3 driven = choose(stops, drive, plus(end.start, drive));
   const Lane speed = length(driven);
-  const LaneMask sticks = hn::Le(speed, loss + round_off);
+  const LaneMask sticks = hn::Le(speed, bound);
   end.v = choose(sticks, none, times(left * (one - loss / speed), driven));
   if (lag != 0.0) {
     end.extra = choose(sticks, none, times(same(lag), minus(end.v, end.start)));
@@ -160,17 +167,18 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, double lag, doub
 
   // round-off, and what does not move keeps its bits
   const LaneGap on = lane_gap(shape, radius, end.x);
-  const LaneMask moves = hn::Gt(hn::Abs(displacement.x) + hn::Abs(displacement.y) + hn::Abs(displacement.z), zero);
-  end.x = choose(moves, minus(end.x, times(on.distance, on.normal)), path.x0);
+  end.moves = hn::Gt(size_of(displacement), zero);
+  end.x = choose(end.moves, minus(end.x, times(on.distance, on.normal)), path.x0);
   end.v = choose(sticks, none, across(on.normal, end.v));
   end.extra = choose(sticks, none, across(on.normal, end.extra));
   return end;
 }
 
-// The first `count` lanes, others 0.
+// The first `count` lanes, others 0; a whole vector, if there is no limit.
+constexpr std::size_t whole = ~std::size_t{0};
 HWY_INLINE Lane load(const double* from, std::size_t count) {
   const PointLanes d;
-  if (count == hn::Lanes(d)) return hn::LoadU(d, from);
+  if (count == whole) return hn::LoadU(d, from);
   HWY_ALIGN double values[8] = {};
   std::copy_n(from, count, values);
   return hn::Load(d, values);
@@ -190,7 +198,7 @@ HWY_INLINE unsigned bits_of(LaneMask mask) {
 // The first `count` lanes: what is behind them may belong to another thread, or to nobody.
 HWY_INLINE void store(Lane value, LaneMask mask, std::size_t count, double* to) {
   const PointLanes d;
-  if (count == hn::Lanes(d)) return hn::BlendedStore(value, mask, d, to);
+  if (count == whole) return hn::BlendedStore(value, mask, d, to);
   HWY_ALIGN double values[8];
   hn::Store(value, d, values);
   const unsigned bits = bits_of(mask);
@@ -222,10 +230,11 @@ HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const
   const double h = block.h, lag = collider.friction > 0.0 ? block.lag : 0.0;
   // the velocity of what moves is known up to the rounding of the time
   const double unknown = 1e-9 * (glm::length(obstacle.velocity) + h * glm::length(obstacle.acceleration));
-  const Path relative = relative_to(obstacle, h, path);
-  Corrected end;
-  if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) end = slide(*sphere, collider.friction, lag, h, unknown, radius, relative);
-  if (const auto* plane = std::get_if<Plane>(&collider.shape)) end = slide(*plane, collider.friction, lag, h, unknown, radius, relative);
+  const auto slide_on = [&](const Path& relative) HWY_ATTR {
+    if (const auto* plane = std::get_if<Plane>(&collider.shape)) return slide(*plane, collider.friction, lag, h, unknown, radius, relative);
+    return slide(*std::get_if<Sphere>(&collider.shape), collider.friction, lag, h, unknown, radius, relative);
+  };
+  const Corrected end = is_in_place(obstacle) ? slide_on(path) : slide_on(relative_to(obstacle, h, path));
   LaneMask solved = hn::And(alone, end.is_solved);
   LaneVec3 x = end.x, v = minus(end.v, end.extra), start = end.start, with_extra = end.v;
   if (!is_in_place(obstacle)) {
@@ -236,11 +245,9 @@ HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const
   }
 
   // not into another obstacle
-  for (const Obstacle& other : block.obstacles) {
-    if (&other == &obstacle) continue;
-    const Path corrected{path.x0, path.v0, x, v};
-    solved = hn::And(solved, stay_clear(*other.collider, h, radius, relative_to(other, h, corrected)));
-  }
+  for (const Obstacle& other : block.obstacles)
+    if (&other != &obstacle && !hn::AllFalse(d, end.moves))
+      solved = hn::And(solved, stay_clear(other, h, radius, {path.x0, path.v0, x, v}));
   if (hn::AllFalse(d, solved)) return solved;
   const LaneVec3 change = minus(path.v1, path.v0);
   const Lane mass = load(block.plan.mass.data() + i, count);
@@ -248,8 +255,8 @@ HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const
   const Lane work = mass * (kinetic - dot(change, minus(x, path.x0)) / same(h));
   store(work, solved, count, points.work + at);
   if (points.supplied != nullptr) {
-    const double speed = std::max(glm::length(obstacle.velocity), glm::length(obstacle.velocity_at(h))) +
-                         glm::length(obstacle.velocity_correction);
+    const double speed =
+        std::max(glm::length(obstacle.velocity), glm::length(obstacle.velocity_at(h))) + glm::length(obstacle.velocity_correction);
     store(same(speed) * mass * (length(minus(v, path.v1)) + length(change)), solved, count, points.supplied + at);
   }
   store_point(block.plan, x, solved, count, block.x, i);
@@ -260,48 +267,59 @@ HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const
 // The points from i on, one per lane.
 HWY_INLINE void solve_points(const Block& block, std::size_t i, std::size_t count, RestingPoints& points, std::size_t at) {
   const PointLanes d;
+  const std::size_t lanes = std::min(count, hn::Lanes(d));
   const Path path{load_point(block.plan, block.x0, i, count), load_point(block.plan, block.v0, i, count),
                   load_point(block.plan, block.x, i, count), load_point(block.plan, block.v, i, count)};
   const Lane radius = load(block.plan.radius.data() + i, count);
   Lane inverse_mass = load(block.plan.inverse_mass.data() + i, count);
   if (block.left_out != nullptr) {
     HWY_ALIGN double is_in[8] = {};
-    for (std::size_t lane = 0; lane < count; ++lane) is_in[lane] = block.left_out[i + lane] == 0 ? 1.0 : 0.0;
+    for (std::size_t lane = 0; lane < lanes; ++lane) is_in[lane] = block.left_out[i + lane] == 0 ? 1.0 : 0.0;
     inverse_mass = inverse_mass * hn::Load(d, is_in);
   }
   const LaneMask may_move = hn::Ne(inverse_mass, same(0.0));
   LaneMask open = hn::FirstN(d, 0), several = open, solved = open;
-  const auto touching = [&](const Obstacle& obstacle) HWY_ATTR {
-    return hn::AndNot(stay_clear(*obstacle.collider, block.h, radius, relative_to(obstacle, block.h, path)), may_move);
-  };
+  const auto touching = [&](const Obstacle& obstacle)
+                            HWY_ATTR { return hn::AndNot(stay_clear(obstacle, block.h, radius, path), may_move); };
+  const Obstacle* last = nullptr;  // that any of them touches
+  bool is_only = true;
   for (const Obstacle& obstacle : block.obstacles) {
     const LaneMask touches = touching(obstacle);
+    if (hn::AllFalse(d, touches)) continue;
     several = hn::Or(several, hn::And(open, touches));
     open = hn::Or(open, touches);
+    is_only = last == nullptr;
+    last = &obstacle;
   }
+  if (count == whole)
+    hn::StoreU(same(0.0), d, points.work + at);
+  else
+    std::fill_n(points.work + at, lanes, 0.0);
+  for (std::size_t lane = 0; lane < lanes; ++lane) points.outcome[at + lane] = RestingPoints::Free;
+  if (last == nullptr) return;
   const unsigned open_bits = bits_of(open);
-  for (std::size_t lane = 0; lane < count; ++lane) points.outcome[at + lane] = RestingPoints::Free, points.work[at + lane] = 0.0;
-  if (open_bits == 0) return;
-  for (const Obstacle& obstacle : block.obstacles) {
+  for (const Obstacle& obstacle : is_only ? std::span(last, 1) : block.obstacles) {
     const ColliderPath& own = obstacle.collider->path;
     if (own.spin != Vec3(0.0) || own.belt != Vec3(0.0) || std::holds_alternative<Box>(obstacle.collider->shape)) continue;
-    const LaneMask alone = hn::AndNot(several, touching(obstacle));
+    const LaneMask alone = hn::AndNot(several, is_only ? open : touching(obstacle));
     if (!hn::AllFalse(d, alone)) solved = hn::Or(solved, solve_on(block, obstacle, path, radius, alone, i, count, points, at));
   }
   const unsigned solved_bits = bits_of(solved);
   points.any_solved = points.any_solved || solved_bits != 0;
   points.any_open = points.any_open || (open_bits & ~solved_bits) != 0;
-  for (std::size_t lane = 0; lane < count; ++lane)
+  for (std::size_t lane = 0; lane < lanes; ++lane)
     if ((open_bits >> lane & 1U) != 0)
       points.outcome[at + lane] = (solved_bits >> lane & 1U) != 0 ? RestingPoints::Solved : RestingPoints::Open;
 }
 
-void solve_resting(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out, std::size_t first, std::size_t end,
-                   const double* x0, const double* v0, double* x, double* v, RestingPoints& points) {
+void solve_resting(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out, std::size_t first,
+                   std::size_t end, const double* x0, const double* v0, double* x, double* v, RestingPoints& points) {
   const std::size_t lanes = hn::Lanes(PointLanes());
   const Block block{plan, obstacles, h, lag, left_out, x0, v0, x, v};
   points.any_solved = points.any_open = false;
-  for (std::size_t i = first; i < end; i += lanes) solve_points(block, i, std::min(lanes, end - i), points, i - first);
+  std::size_t i = first;
+  for (; i + lanes <= end; i += lanes) solve_points(block, i, whole, points, i - first);
+  if (i < end) solve_points(block, i, end - i, points, i - first);
 }
 
 }  // namespace hooke::HWY_NAMESPACE
@@ -312,8 +330,8 @@ namespace hooke {
 
 HWY_EXPORT(solve_resting);
 
-void solve_resting_points(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out, std::size_t first, std::size_t end,
-                          const Field& x0, const Field& v0, Field& x, Field& v, RestingPoints& points) {
+void solve_resting_points(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out,
+                          std::size_t first, std::size_t end, const Field& x0, const Field& v0, Field& x, Field& v, RestingPoints& points) {
   HWY_DYNAMIC_DISPATCH(solve_resting)
   (plan, obstacles, h, lag, left_out, first, end, x0.data(), v0.data(), x.data(), v.data(), points);
 }

@@ -19,6 +19,7 @@ struct PointPath {
   double time = 0.0;              // [s], since the start of the substep
   Vec3 x{0.0}, v{0.0}, a{0.0};    // [m], [m/s], [m/s^2]
   Vec3 velocity_correction{0.0};  // [m/s], of the method's path, contained in v (contact.cpp)
+  Vec3 free_correction{0.0};      // [m/s], the same without contact
   Vec3 free_acceleration{0.0};    // [m/s^2], without contact
   double velocity_change = 0.0;   // [m/s], of the whole substep without contact
   // [m/s^2], by which a sticky plane holds it after an impact without a rebound (forces/terms/sticking.h); 0: it does not
@@ -61,6 +62,9 @@ struct Touch {
   double min_velocity = 0.0;  // [m/s], that the first must reach along the normal, relative to the second
   Vec3 surface{0.0};          // [m/s], of the surface of an obstacle relative to its shape
   ContactImpulse impulse;
+
+  // [m], by which the shape is inflated: pairs are a point and a ball of the distance
+  double inflation() const { return obstacle != nullptr ? distance : 0.0; }
 };
 
 }  // namespace hooke

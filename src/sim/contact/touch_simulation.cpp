@@ -16,9 +16,6 @@ constexpr double never = std::numeric_limits<double>::infinity();
 // covers at the largest speed of approach.
 constexpr double rest_reach = contact::rest_speed + 1.0;
 
-// The radius by which the shape is inflated.
-double inflation(const Touch& touch) { return touch.obstacle != nullptr ? touch.distance : 0.0; }
-
 }  // namespace
 
 const Collider& TouchSimulation::shape_of(const Touch& touch) const {
@@ -74,7 +71,7 @@ void TouchSimulation::add_point(const Plan& plan, Index i, const Vec3& x0, const
   if (path.inverse_mass == 0.0) return;
   const Vec3 change = v1 - v0;
   path.a = path.free_acceleration = change / h;
-  path.velocity_correction = without_rounding(plan, (x1 - x0) / h - v0 - 0.5 * change, x0, h);
+  path.velocity_correction = path.free_correction = without_rounding(plan, (x1 - x0) / h - v0 - 0.5 * change, x0, h);
   path.v += path.velocity_correction;
   path.velocity_change = glm::length(change);
   path.adhesion = plan.force_data.sticky.strength * path.inverse_mass;
@@ -113,22 +110,6 @@ void TouchSimulation::begin(const SurfacePlan& plan, double h) {
   start(h);
 }
 
-void TouchSimulation::run_alone(const SurfacePlan& plan, double h) {
-  begin(plan, h);
-  for (long impacts = 0; advance(); ++impacts) {
-    if (impacts >= contact::max_impacts) continue;
-    const double left = h_ - time_;
-    start_ += time_;
-    for (PointPath& path : paths) {
-      path.advance(time_);
-      path.time = 0.0;
-    }
-    paths.front().a = paths.front().free_acceleration - paths.front().held;
-    for (Touch& touch : touches) touch.is_at_rest = false;
-    start(left);
-  }
-}
-
 void TouchSimulation::start(double h) {
   h_ = h;
   time_ = 0.0;
@@ -139,6 +120,7 @@ void TouchSimulation::start(double h) {
   separation_.clear();
   find_resting();
   if (!active_.empty()) rest();
+  if (is_alone_) leave_balls();
   for (Touch& touch : touches) predict(touch);
   queue_impacts();
 }
@@ -159,7 +141,7 @@ void TouchSimulation::find_resting() {
     Touch& touch = touches[t];
     Parabola path = relative_path(touch, 0.0);
     path.v -= paths[touch.first].velocity_correction - paths[touch.second].velocity_correction;
-    const Gap gap = gap_to(shape_of(touch), inflation(touch), path.x);
+    const Gap gap = gap_to(shape_of(touch), touch.inflation(), path.x);
     const double change = velocity_change(touch);
     touch.is_near = gap.distance <= contact_tolerance(path.x) + (is_alone_ ? 0.0 : rest_reach * h_ * change);
     if (!touch.is_near) continue;
@@ -236,20 +218,6 @@ void TouchSimulation::change_pushed() {
   }
 }
 
-// Corrections of what presses on an obstacle come from forces that are balanced, whatever their direction; so do those along the surface
-// under friction.
-void TouchSimulation::leave_corrections() {
-  for (const std::size_t k : active_) {
-    const Touch& touch = touches[k];
-    const PointPath &path = paths[touch.first], &obstacle = paths[touch.second];
-    const Vec3 v = path.v - path.velocity_correction - obstacle.v + obstacle.velocity_correction;
-    if (!(glm::dot(touch.normal, path.a - obstacle.a) + touch.curvature * glm::dot(v, v) < 0.0)) continue;
-    const Vec3 correction = velocity_[touch.first] - velocity_[touch.second];
-    velocity_[touch.first] -= touch.friction > 0.0 ? correction : glm::dot(touch.normal, correction) * touch.normal;
-    change(touch.first);
-  }
-}
-
 // First velocities change at once, so that nothing is closed before the end of the substep. Then forces act during it, so that nothing
 // overlaps at its end. The correction of the method's path must not lead into what touches either: it comes from forces that are balanced.
 void TouchSimulation::rest() {
@@ -297,7 +265,7 @@ void TouchSimulation::rest() {
     const Touch& touch = touches[k];
     if (touch.impulse.normal > 0.0) memory_.now.push_back({{touch.point, touch.other}, touch.impulse});
   }
-  separate(rough);
+  if (!is_alone_) separate(rough);
 }
 
 void TouchSimulation::change(std::size_t path) {
@@ -322,7 +290,7 @@ void TouchSimulation::predict(Touch& touch) const {
   if (touch.is_at_rest) return;
   const Parabola path = relative_path(touch, time_);
   const Collider& shape = shape_of(touch);
-  const Gap gap = gap_to(shape, inflation(touch), path.x);
+  const Gap gap = gap_to(shape, touch.inflation(), path.x);
   const double left = h_ - time_;
   if (gap.distance > left * (glm::length(path.v) + 0.5 * left * glm::length(path.a)) + contact_tolerance(path.x)) return;
 
@@ -331,7 +299,7 @@ void TouchSimulation::predict(Touch& touch) const {
     if (velocity < -ignored) touch.time = time_;
     return;
   }
-  if (const auto impact = hooke::first_impact(shape, inflation(touch), path, left)) touch.time = time_ + *impact;
+  if (const auto impact = hooke::first_impact(shape, touch.inflation(), path, left)) touch.time = time_ + *impact;
 }
 
 bool TouchSimulation::advance() {
@@ -343,6 +311,7 @@ bool TouchSimulation::advance() {
   if (queue_.empty() || impacts_ > 2 * max_impacts()) {
     for (PointPath& path : paths) path.advance(h_);
     for (std::size_t p = 0; p < separation_.size(); ++p) paths[p].x += separation_[p];
+    if (is_alone_) follow_balls();
     time_ = h_;
     // impacts that are left out, of which there are too many
     for (const auto& left_out : queue_) paths[touches[left_out.touch].first].is_changed = true;
@@ -392,22 +361,6 @@ void TouchSimulation::list_touches_of_paths() {
   std::vector<std::size_t>& end = of_paths_.end;
   end.assign(of_paths_.first.begin(), of_paths_.first.end() - 1);
   visit([&](std::size_t p, std::size_t t) { of_paths_.touches[end[p]++] = t; });
-}
-
-void TouchSimulation::leave_obstacles() {
-  constexpr int max_rounds = 8;
-  bool is_outside = false;
-  for (int round = 0; round < max_rounds && !is_outside; ++round) {
-    is_outside = true;
-    for (const Touch& touch : touches) {
-      if (touch.obstacle == nullptr) continue;
-      const Vec3 position = paths[touch.first].x - paths[touch.second].x;
-      const Gap gap = gap_to(shape_of(touch), inflation(touch), position);
-      if (gap.distance >= -contact_tolerance(position)) continue;
-      paths[touch.first].x -= gap.distance * gap.normal;
-      is_outside = false;
-    }
-  }
 }
 
 }  // namespace hooke

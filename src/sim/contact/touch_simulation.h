@@ -68,6 +68,8 @@ class TouchSimulation {
   enum class Settled { Starts, Corrections, Ends };
   void settle_velocities(Settled what, double tolerance);
   void leave_corrections();
+  void leave_balls();
+  void follow_balls();
   void recall_loads();
   void separate(double tolerance);
   void predict(Touch& touch) const;
@@ -125,9 +127,9 @@ class TouchSimulation {
   };
   Together together_;
   std::vector<std::size_t> changed_;
-  std::vector<char> is_listed_;  // per path: in changed_
-  std::vector<Vec3> velocity_;   // per path, while they settle
-  std::vector<Vec3> separation_;  // [m], per path, of what overlaps; empty: nothing does
+  std::vector<char> is_listed_;               // per path: in changed_
+  std::vector<Vec3> velocity_;                // per path, while they settle
+  std::vector<Vec3> separation_;              // [m], per path, of what overlaps; empty: nothing does
   mutable Collider ball_{.shape = Sphere{}};  // the second point of a pair
 };
 

@@ -58,7 +58,7 @@ void TouchSimulation::find_impacts_with(std::size_t touch) {
   for (std::size_t k = 0; k < together_.of.size(); ++k) {
     Touch& next = touches[together_.of[k]];
     const Parabola path = relative_path(next, time_);
-    const Gap gap = gap_to(shape_of(next), next.obstacle != nullptr ? next.distance : 0.0, path.x);
+    const Gap gap = gap_to(shape_of(next), next.inflation(), path.x);
     const double approach = -glm::dot(gap.normal, path.v);
     if (k == 0) next.time = std::numeric_limits<double>::infinity();
     if (approach <= ignored_speed(next) || (k > 0 && approach * (next.time - time_) > contact_tolerance(path.x))) {
