@@ -142,6 +142,15 @@ TEST(Xsp, AStickyWallHoldsWhatWouldReboundSlowly) {
   EXPECT_EQ(scene.state.velocity[0], Vec3(0.0));
 }
 
+// A ball of elasticity 0.5 on a nail of elasticity 1, radii of 3 and 4 pixels, falls 40 pixels and rebounds with 0.75 of its speed.
+TEST(Xsp, NailsShareTheirElasticity) {
+  Scene scene = load("frce 0 1 10 0\nfrce 4 1 0 0\nmass 1 100 147 0 0 1 0.5\nmass 2 100 100 0 0 -1 1\n").scene;
+  const double fall = std::sqrt(2.0 * 40.0 / 10.0), rise = 1.0;
+  run(scene, fall + rise);
+  const double time = std::round((fall + rise) * 60.0) / 60.0 - fall;
+  EXPECT_NEAR(scene.state.position[0].y / pixel, 107.0 + 0.75 * 10.0 * fall * time - 5.0 * time * time, 1e-6);
+}
+
 // The values are those of the original with steps of 0.1 ms. The weight is more than the stickiness.
 TEST(Xsp, MassesOnAStickyWallStayOnIt) {
   Scene scene = load("frce 0 1 10 0\nstck 5\nwall 0 0 0 1\nmass 1 100 50 20 0 1 0\nmass 2 110 53 20 0 1 0\nspng 1 1 2 50 2 14\n").scene;

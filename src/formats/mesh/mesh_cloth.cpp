@@ -65,10 +65,7 @@ void ClothMaker::make_points() {
   for (Point& point : points) point.id = scene_.system.new_point_id();
   std::vector<double> area(points.size(), 0.0);  // [m^2]
   for (const Cell& cell : mesh_.cells)
-    for (int c = 0; c < cell.size(); ++c) {
-      const auto corner = static_cast<std::size_t>(cell.corners[c]);
-      area[corner] += cell.area / cell.size();
-    }
+    for (int c = 0; c < cell.size(); ++c) area[static_cast<std::size_t>(cell.corners[c])] += cell.area / cell.size();
   for (const auto& line : mesh_.lines)
     for (const Index end : line) area[static_cast<std::size_t>(end)] += 0.5 * strip_width() * length_of(line);
   for (std::size_t i = 0; i < points.size(); ++i) {

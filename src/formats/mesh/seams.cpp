@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "formats/mesh/weld_vertices.h"
 
@@ -53,11 +54,9 @@ std::vector<std::array<Index, 2>> open_edges_of(const std::vector<Cell>& cells) 
 }
 
 std::vector<Index> vertices_of(const std::vector<std::array<Index, 2>>& edges) {
-  std::vector<Index> vertices;
-  for (const auto& edge : edges) vertices.insert(vertices.end(), edge.begin(), edge.end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
+  std::set<Index> vertices;
+  for (const auto& edge : edges) vertices.insert(edge.begin(), edge.end());
+  return {vertices.begin(), vertices.end()};
 }
 
 Seams find_seams(const CleanMesh& mesh) {

@@ -70,9 +70,7 @@ std::string SceneWriter::write() {
   out_.text("name", scene_.name);
   if (!scene_.description.empty()) out_.text("description", scene_.description);
   if (!scene_.notes.empty()) out_.text("notes", scene_.notes);
-  if (!scene_.preserved_json.gallery.empty()) {
-    out_.raw("gallery", scene_.preserved_json.gallery);
-  }
+  if (!scene_.preserved_json.gallery.empty()) out_.raw("gallery", scene_.preserved_json.gallery);
   out_.integer("dimensions", system_.dimensions);
   if (!is_positive_zero(state_.time)) out_.number("time", state_.time);
   out_.vector("gravity", system_.gravity + Vec3(0.0));  // no -0.0
@@ -88,9 +86,7 @@ std::string SceneWriter::write() {
     out_.end();
   });
   write_rest_angles();
-  if (listed.points < system_.point_count()) {
-    out_.raw("generators", scene_.preserved_json.generators);
-  }
+  if (listed.points < system_.point_count()) out_.raw("generators", scene_.preserved_json.generators);
   write_list("colliders", system_.colliders.size(), [&](std::size_t c) { write_collider(c); });
   write_contact();
   write_list("forces", system_.forces.size(), [&](std::size_t f) { write_force(f); });
@@ -103,16 +99,12 @@ std::string SceneWriter::write() {
   if (scene_.controls != ControlRanges{} || has_unknown_inside("controls")) {
     const ControlRanges& controls = scene_.controls;
     out_.begin_object("controls", Layout::Line);
-    if (controls != ControlRanges{}) {
-      out_.vector("stiffness", {controls.stiffness_min, controls.stiffness_max, controls.stiffness_step});
-    }
+    if (controls != ControlRanges{}) out_.vector("stiffness", {controls.stiffness_min, controls.stiffness_max, controls.stiffness_step});
     write_unknown_inside("controls");
     out_.end();
   }
   write_view();
-  if (!scene_.preserved_json.check.empty()) {
-    out_.raw("check", scene_.preserved_json.check);
-  }
+  if (!scene_.preserved_json.check.empty()) out_.raw("check", scene_.preserved_json.check);
   out_.members(scene_.preserved_json.unknown);
   out_.end();
   check_size();

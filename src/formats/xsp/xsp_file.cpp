@@ -19,22 +19,23 @@ enum ForceId { Gravity = 0, MassCenter = 1, Center = 2, Wall = 3, Collisions = 4
 // XSpringies replaces a mass of 0.
 double mass_of(const XspMass& mass) { return mass.mass == 0.0 ? 1.0 : std::abs(mass.mass); }
 
-// The most common value among the free masses, and the number of free masses with another one.
+// The most common value among the free masses or the nails, and the number of them with another one.
 struct MostCommon {
   double value;
   std::size_t others = 0;
 };
-MostCommon most_common(const std::vector<XspMass>& masses, double value_without_masses, double (*value_of)(const XspMass& mass)) {
+MostCommon most_common(const std::vector<XspMass>& masses, double value_without_masses, double (*value_of)(const XspMass& mass),
+                       bool of_nails = false) {
   std::map<double, std::size_t> counts;
-  std::size_t free = 0;
+  std::size_t all = 0;
   for (const XspMass& mass : masses)
-    if (mass.mass >= 0.0) {
+    if ((mass.mass < 0.0) == of_nails) {
       ++counts[value_of(mass)];
-      ++free;
+      ++all;
     }
   if (counts.empty()) return {value_without_masses};
   const auto found = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  return {found->first, free - found->second};
+  return {found->first, all - found->second};
 }
 
 class Importer {
@@ -129,7 +130,7 @@ class Importer {
       } else if (id == ForceId::Wall) {
         add_force(wall_force, {scaled(force), force.p2, pixel});
       } else if (id == ForceId::Collisions) {
-        system.contact = {.points = true, .restitution = import_elasticity("contact"), .friction = 0.0};
+        system.contact = {.points = true, .restitution = import_contact_elasticity(), .friction = 0.0};
       } else {
         warn("force " + std::to_string(id) + " is unknown and ignored");
       }
@@ -224,6 +225,17 @@ class Importer {
            ", that of " + whose);
     if (restitution != elasticity.value) warn("elasticity " + format_rounded(elasticity.value) + " becomes " + format_rounded(restitution));
     return restitution;
+  }
+
+  // In XSpringies that of a pair is the mean of both. Here it is that of most pairs: of free masses and nails, or of two free masses.
+  double import_contact_elasticity() {
+    const double restitution = import_elasticity("contact");
+    const auto nails = static_cast<std::size_t>(std::ranges::count_if(document_.masses, [](const XspMass& m) { return m.mass < 0.0; }));
+    if (2 * nails <= document_.masses.size() - nails) return restitution;
+    const double of_nails = most_common(
+                                document_.masses, restitution, [](const XspMass& mass) { return mass.elasticity; }, true)
+                                .value;
+    return 0.5 * (restitution + std::clamp(of_nails, 0.0, 1.0));
   }
 
   // The defaults of new masses and springs.

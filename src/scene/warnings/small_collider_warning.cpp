@@ -61,12 +61,10 @@ std::optional<std::string> small_collider_text(const System& system, const State
   const bool is_ball = std::holds_alternative<Sphere>(collider.shape), of_faces = system.dimensions == 3 && !system.faces.empty();
   std::vector<PassableGap> gaps = gaps_of(system, state, of_faces, is_ball);
   if (gaps.empty()) return std::nullopt;
-  // a few long springs or faces, such as those within a body, are no gap that matters: three quarters must be wide enough, or become so
-  // when they are stretched a little
-  constexpr double stretch = 1.1;
+  // a few long springs or faces, such as those within a body, are no gap that matters: three quarters must be wide enough, but for rounding
   const auto typical = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 4);
   std::ranges::nth_element(gaps, typical, {}, &PassableGap::half);
-  if (half >= stretch * typical->half) return std::nullopt;
+  if (half > (1.0 + 1e-9) * typical->half) return std::nullopt;
   return (is_ball ? "a ball of radius " + quantity_text(half, "m", 2) : "a box that is " + quantity_text(2.0 * half, "m", 2) + " wide") +
          " fits between the points of a " + (of_faces ? "face" : "spring") + " of " + quantity_text(typical->length, "m", 2) +
          ", which passes through it: only points touch colliders" +
