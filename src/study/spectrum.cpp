@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t min_values = 8;
 // Zeros after the values give points between the frequencies, so that a peak is found to a fraction of their distance.
 constexpr std::size_t padding = 4;
-constexpr double noticed = 0.01;  // of the largest amplitude
+constexpr double noticed = 0.01;  // of the largest amplitude of the same unit
 
 std::vector<double> amplitudes(const std::vector<double>& values, std::size_t begin, std::size_t end) {
   const std::size_t n = end - begin;
@@ -49,10 +49,14 @@ TraceTable spectrum_of(const TraceTable& table, double first, double last) {
                                       trace.values.begin() + static_cast<std::ptrdiff_t>(end), [](double v) { return std::isfinite(v); });
     if (!is_known) continue;
     spectrum.traces.push_back({trace.quantity, amplitudes(trace.values, begin, end)});
-    const std::vector<double>& found = spectrum.traces.back().values;
-    const double limit = noticed * *std::ranges::max_element(found);
-    for (std::size_t k = found.size(); k-- > shown;)
-      if (found[k] > limit) shown = k + 1;
+  }
+  for (const Trace& trace : spectrum.traces) {
+    // of what is in the same plot
+    double largest = 0.0;
+    for (const Trace& other : spectrum.traces)
+      if (other.quantity.row->unit == trace.quantity.row->unit) largest = std::max(largest, *std::ranges::max_element(other.values));
+    for (std::size_t k = trace.values.size(); k-- > shown;)
+      if (trace.values[k] > noticed * largest) shown = k + 1;
   }
   if (spectrum.traces.empty()) return spectrum;
   shown = std::min(shown + shown / 4, spectrum.traces.front().values.size());

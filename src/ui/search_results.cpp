@@ -71,7 +71,10 @@ class ResultFinder {
  private:
   // `also`: words that find it but are not shown.
   void add(const std::string& text, const std::string& remark, Requests requests, const std::string& also = {}) {
-    if (const int score = match(text + " " + remark + " " + also, typed_); score > 0)
+    // "cloth" begins the name of what "Open Cloth on a ball" opens
+    const bool has_verb = text.starts_with("Open ") || text.starts_with("Add ");
+    const std::string more = " " + remark + " " + also, named = has_verb ? text.substr(text.find(' ') + 1) : text;
+    if (const int score = std::max(match(text + more, typed_), match(named + more, typed_)); score > 0)
       found_.push_back({text, remark, std::move(requests), {}, score});
   }
 
@@ -147,11 +150,8 @@ int match(std::string_view text, std::string_view typed) {
   for (std::string word; words >> word;) {
     const std::size_t at = all.find(word);
     if (at == std::string::npos) return 0;
-    // at the beginning of what the verb before it names: "Open Cloth on a ball"
-    if (at == 0 || at == all.find(' ') + 1)
-      score += 2;
-    else if (all[at - 1] == ' ')
-      score += 1;
+    if (at == 0) score += 2;
+    if (at > 0 && all[at - 1] == ' ') score += 1;
   }
   return score;
 }

@@ -7,7 +7,7 @@
 namespace hooke {
 namespace {
 
-Scene chain() {
+Scene flat_chain() {
   TestSim sim;
   const PointId a = sim.nail({-0.3, 0.4, 0.0}), b = sim.add({0.1, 0.0, 0.0}, 2.0, {0.5, 0.0, 0.0}), c = sim.add({0.5, 0.3, 0.0}, 4.0);
   sim.join(b, c, 90.0, 0.3);
@@ -19,8 +19,14 @@ Scene chain() {
   return scene;
 }
 
+void show_table(GuiFixture& gui) {
+  gui.key(letter('T'), {.control = true});
+  gui.resize({1280.0, 800.0}, 1.0);
+  gui.frames(3);
+}
+
 // The innermost window of the table.
-const ImGuiWindow* rows() {
+const ImGuiWindow* table_rows() {
   const ImGuiWindow* found = nullptr;
   for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
     if (window->Active && std::string_view(window->Name).starts_with("table/")) found = window;
@@ -28,14 +34,13 @@ const ImGuiWindow* rows() {
 }
 
 TEST(PartTable, ShowsPointsAndSelectsThem) {
-  GuiFixture gui(chain());
-  gui.key(letter('T'), {.control = true});
-  gui.frames(3);
+  GuiFixture gui(flat_chain());
+  show_table(gui);
   const std::string words = gui.text();
   for (const char* column : {"x [m]", "vx [m/s]", "mass [kg]"}) EXPECT_NE(words.find(column), std::string::npos) << column;
   EXPECT_EQ(words.find("vz [m/s]"), std::string::npos) << "the scene is flat";
-  ASSERT_NE(rows(), nullptr);
-  const ImGuiWindow& table = *rows();
+  ASSERT_NE(table_rows(), nullptr);
+  const ImGuiWindow& table = *table_rows();
   const double line = ImGui::GetTextLineHeight() + 4.0;
   gui.click({table.Pos.x + 12.0, table.Pos.y + 2.5 * line});
   EXPECT_EQ(gui.app().selection().points.size(), 1u);
@@ -45,9 +50,8 @@ TEST(PartTable, ShowsPointsAndSelectsThem) {
 }
 
 TEST(PartTable, IsSortedByTheStiffnessOfSprings) {
-  GuiFixture gui(chain());
-  gui.key(letter('T'), {.control = true});
-  gui.frames(3);
+  GuiFixture gui(flat_chain());
+  show_table(gui);
   gui.click(gui.find("table", {"parts", "Springs"}));
   gui.frames(3);
   PartTable& table = gui.app().panels().table;

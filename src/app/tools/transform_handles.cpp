@@ -1,5 +1,6 @@
 #include "app/tools/transform_handles.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
@@ -33,7 +34,8 @@ std::optional<Handles> handles_of(const ToolContext& context) {
   min -= margin * context.scale;
   max += margin * context.scale;
   // the handle that turns is above the box, or below it where there is no room
-  const double turn = min.y > 2.0 * stem * context.scale ? min.y - stem * context.scale : max.y + stem * context.scale;
+  const double above = min.y - stem * context.scale, lowest = context.size.y - margin * context.scale;
+  const double turn = above > margin * context.scale ? above : std::min(max.y + stem * context.scale, lowest);
   return Handles{{min, {max.x, min.y}, max, {min.x, max.y}}, {0.5 * (min.x + max.x), turn}};
 }
 
