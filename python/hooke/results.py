@@ -126,11 +126,11 @@ class Run:
         """Derivatives of the sum of weight times position over all samples, points and components, by the adjoint of the very steps.
 
         of: the weights, of the shape of run.positions, or a pair: of positions, and of velocities. Those of the squared distance from a
-            measured motion are 2 * (run.positions - measured), of which the sum is then the first-order change
+            measured motion are 2 * (run.positions - measured)
         with_respect_to: "stiffness", "rest_length" or "damping" of the springs, "masses", or "positions" or "velocities" of the start; a
             name returns an array as that of the scene [unit of the sum per N/m, m, N s/m, kg, m or m/s], several a dict of arrays. More
             names cost nothing
-        Takes the time of some runs and the memory of the positions and velocities of all frames. Raises InputError, which names the
+        Takes the time of two to six runs and the memory of the positions and velocities of all frames. Raises InputError, which names the
         reason, for other methods than velocity_verlet and runge_kutta4, contact, springs that break, strain limits, laws and forces.
         """
         chosen = names("with_respect_to", with_respect_to)
