@@ -158,6 +158,8 @@ bool resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
   const auto blocks = static_cast<Index>((n + PointPass::block - 1) / PointPass::block);
   std::array<PointPass::Touches, max_parts> touches;
   before.alone.resize(max_parts);
+  if (before.alone.back().paths.capacity() <= obstacles.size())
+    for (TouchSimulation& each : before.alone) each.reserve_alone(obstacles.size());
   const int parts = for_parts(plan, blocks, min_blocks, [&](int part, Index first, Index end) {
     for (Index number = first; number < end; ++number)
       pass.solve_block(static_cast<std::size_t>(number), before.alone[part], touches[part]);

@@ -181,6 +181,7 @@ void TouchSimulation::settle_velocities(Settled what, double tolerance) {
 // Displacements without a velocity, as far as what touches does not exert the force of the spring already.
 void TouchSimulation::separate(double tolerance) {
   separation_.clear();
+  separation_.reserve(paths.size());
   bool any = false;
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];

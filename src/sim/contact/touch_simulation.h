@@ -41,6 +41,8 @@ class TouchSimulation {
   // The whole substep of one point among obstacles. What touches is at rest if it neither approaches nor leaves, and after each impact the
   // rest of the substep counts as one of its own: exact for all impacts, and for rest after them.
   void run_alone(const SurfacePlan& plan, double h);
+  // Allocates all that this takes.
+  void reserve_alone(std::size_t obstacles);
   // Handles the next impact. False: there is none in this substep, and all points are at its end.
   bool advance();
   // The paths that begin, or the last advance, changed.
