@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -170,6 +171,7 @@ TestSim pair_that_leaves_a_nailed_ball() {
 
 // The order through an impact without restitution and the motion on the surface after it. The place of the impact within a step varies with
 // the number of steps, and the error with it: a fit over many numbers of steps.
+// Infinity where the error is that of rounding with few steps already.
 double order_after_impact(const Integrator& method, TestSim (*make)()) {
   static std::map<TestSim (*)(), State> references;
   if (!references.contains(make)) {
@@ -189,7 +191,10 @@ double order_after_impact(const Integrator& method, TestSim (*make)()) {
     }
     return std::sqrt(sum / neighbors);
   };
-  return std::log2(error_at(200) / error_at(1600)) / 3.0;
+  constexpr double rounding = 1e-13;  // [m]
+  const double coarse = error_at(200), fine = error_at(1600);
+  if (coarse < 1e2 * rounding) return std::numeric_limits<double>::infinity();
+  return std::log2(coarse / fine) / 3.0;
 }
 
 TEST_P(Row, MeetsItsOrderUnderFriction) { EXPECT_NEAR(order_after_impact(method(), sliding_pair), friction_order, 0.2); }
@@ -206,8 +211,13 @@ TEST_P(Row, MeetsItsOrderSlidingOnABall) {
   EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_nailed_ball), method().order_with.contact, 0.2);
 }
 
+// A point rides on a floor and leaves it exactly, so that the error of methods of fourth order is that of rounding.
 TEST_P(Row, MeetsItsOrderWhereItLeavesAFloor) {
-  EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_floor), method().order_with.contact, 0.2);
+  const double order = order_after_impact(method(), pair_that_leaves_a_floor);
+  if (method().order <= 2)
+    EXPECT_NEAR(order, method().order_with.contact, 0.2);
+  else
+    EXPECT_GT(order, 3.8);
 }
 
 TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "base/finite.h"
 #include "sim/contact/contact_work.h"
 #include "sim/contact/one_way.h"
 #include "sim/forces/bands.h"
@@ -83,6 +84,7 @@ class PointPass {
  private:
   void solve_point(Index i, TouchSimulation& simulation, Touches& touches) const {
     const Vec3 x0 = vector_at(plan_, before_.x, i), v1 = vector_at(plan_, motion_.v, i);
+    if (!is_finite(x0) || !is_finite(v1)) return;  // the run has diverged
     const double radius = plan_.radius[i];
     simulation.clear();
     simulation.begin_frame();
