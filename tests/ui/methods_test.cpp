@@ -68,11 +68,11 @@ TEST(Comparison, RunsInTheBackgroundUntilCanceled) {
   GuiFixture gui(two_springs());
   gui.key(letter('M'), {.control = true, .shift = true});
   EXPECT_NE(gui.text().find("Compare methods on this scene"), std::string::npos);
-  EXPECT_TRUE(gui.app().panel_input({}).comparison.is_running);
+  EXPECT_TRUE(gui.app().panel_input({}).results.comparison.is_running);
   EXPECT_FALSE(gui.app().is_idle());
   gui.click(gui.find("comparison", {"Cancel"}));
   EXPECT_TRUE(eventually_shows(gui, "Stopped."));
-  EXPECT_FALSE(gui.app().panel_input({}).comparison.is_running);
+  EXPECT_FALSE(gui.app().panel_input({}).results.comparison.is_running);
   gui.frames(3);
   gui.click(gui.find("comparison", {"Close"}));
   EXPECT_EQ(gui.text().find("Compare methods on this scene"), std::string::npos);

@@ -94,8 +94,8 @@ TEST(Lesson, ChecksOffEachStepWhenItIsDoneAndNotBefore) {
   gui.key(Key::Space);
   gui.key(letter('M'), {.control = true, .shift = true});
   EXPECT_EQ(done(), 15u);
-  EXPECT_TRUE(gui.wait_until([&] { return gui.app().panel_input({}).comparison.result != nullptr; }));
-  const auto compared = gui.app().panel_input({}).comparison.result;
+  EXPECT_TRUE(gui.wait_until([&] { return gui.app().panel_input({}).results.comparison.result != nullptr; }));
+  const auto compared = gui.app().panel_input({}).results.comparison.result;
   ASSERT_TRUE(compared && !compared->record.rows.empty());
   EXPECT_EQ(done(), 15u);
   const Row& row = compared->record.rows.front();
@@ -111,7 +111,7 @@ TEST(ResultCheckPanel, OfThePreviousSceneIsNotShownForTheNextOne) {
   ASSERT_TRUE(eventually_shows(gui, "Maximum strain")) << gui.text();
   gui.app().handle(Request(Action::NewFlatScene));
   gui.frames(3);
-  EXPECT_FALSE(gui.app().panel_input({}).result_check.result);
+  EXPECT_FALSE(gui.app().panel_input({}).results.result_check.result);
 }
 
 TEST(GhostPanel, GhostsStopWhenAnotherPanelTakesTheirPlace) {
