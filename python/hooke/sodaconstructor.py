@@ -55,7 +55,7 @@ def to_json(document: str) -> str:
 
     places: dict[str | None, int] = {}
     points: list[dict[str, Any]] = []
-    for node in model["nodes"] if "nodes" in model else []:
+    for node in model.get("nodes", ()):
         fields, speed = _fields(node), _METERS * _STEPS
         places[node.get("id")] = len(points)
         points.append({"position": [_METERS * _number(fields, "x"), _METERS * _number(fields, "y"), 0],
@@ -64,7 +64,7 @@ def to_json(document: str) -> str:
 
     stiffness = _number(model, "springyness") * _STEPS**2
     springs: list[dict[str, Any]] = []
-    for link in model["springs"] if "springs" in model else []:
+    for link in model.get("springs", ()):
         fields = _fields(link)
         ends = [places.get(fields[end].get("refid")) if end in fields else None for end in "ab"]
         if None in ends:

@@ -46,7 +46,8 @@ constexpr std::array parameterizations{
 // Nothing jumps: the time of the muscles is the same before and after.
 void set_muscles(Scene& scene, MuscleClock muscles) {
   const double time = scene.state.time, now = scene.system.muscles.at(time);
-  muscles.offset = now - muscles.rate() * time;
+  const double offset = now - muscles.rate() * time;
+  muscles.offset = std::isfinite(offset) ? offset : 0.0;
   scene.system.muscles = muscles;
 }
 bool has_muscles(const Scene& scene) {

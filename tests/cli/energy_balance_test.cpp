@@ -147,16 +147,6 @@ TEST(EnergyBalance, StopsAnInstabilityOfContactBesideAMovingCollider) {
   EXPECT_NE(run.err.find("energy grew"), std::string::npos) << run.err;
 }
 
-// A pendulum that the method damps, beside a weight that hangs at rest on a dashpot.
-TEST(EnergyBalance, ReportsALossBesideADashpotAtRest) {
-  const Outcome run = run_scene(R"({"hooke": 1, "points": [{"position": [0, 0, 0], "nailed": true}, {"position": [1, 0, 0]},
-    {"position": [5, 0, 0], "nailed": true}, {"position": [5, -1, 0], "mass": 1}],
-    "springs": [{"points": [0, 1], "stiffness": 10000}, {"points": [2, 3], "stiffness": 9.81, "rest_length": 0, "damping": 1}],
-    "simulation": {"integrator": "implicit_euler", "substeps": 1}})",
-                                {"--seconds", "4"});
-  EXPECT_NE(run.err.find("(loss)"), std::string::npos) << run.err;
-}
-
 // The energy that an attraction gives and takes on each orbit is not supplied again and again, which would hide the error of the method.
 TEST(EnergyBalance, OfAnOrbitIsRelativeToTheEnergyOfTheOrbit) {
   const std::string scene =

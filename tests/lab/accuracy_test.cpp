@@ -324,7 +324,7 @@ TEST(AccuracyMeter, WhereThingsTouchHalfTheErrorCostsMoreThanTheOrderSays) {
     for (int frame = 0; frame < 240; ++frame) {
       EXPECT_TRUE(lab.step());
       const Accuracy accuracy = lab.accuracy();
-      if (accuracy.half_error.substeps > 0) half = accuracy.half_error.substeps;
+      half = std::max(half, accuracy.half_error.substeps);
       EXPECT_EQ(accuracy.half_error.substeps == 0, !accuracy.half_error.reason.empty());
       if (!accuracy.frame.value || std::exchange(time, accuracy.frame_time) == accuracy.frame_time) continue;
       errors.push_back(*accuracy.frame.value);

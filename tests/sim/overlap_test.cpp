@@ -40,20 +40,20 @@ TestSim overlapping_net(std::uint64_t seed) {
   return sim;
 }
 
-// Overlaps that springs press together took up energy without bounds: tens of times that of the start, in seconds.
-TEST(Overlaps, NeverAddEnergy) {
+// To separate what springs press together takes work, which is done once: the energy does not grow without bounds.
+TEST(Overlaps, TakeUpAtMostAFewTimesTheEnergyOfTheStart) {
   for (const char* method : {"velocity_verlet", "runge_kutta4"})
     for (std::uint64_t seed = 0; seed < 80; ++seed) {
       TestSim sim = overlapping_net(seed);
-      const double start = energy_of(sim), tolerance = 1e-3 * compute_energy(sim.system, sim.state).elastic + 1e-6;
+      const double limit = 3.0 * energy_of(sim) + 1e-6;
       for (int i = 0; i < 60; ++i) {
         sim.run(*find_integrator(method), 1.0 / 60.0, 60);
-        ASSERT_LT(energy_of(sim), start + tolerance) << method << ", scene " << seed << ", frame " << i;
+        ASSERT_LT(energy_of(sim), limit) << method << ", scene " << seed << ", frame " << i;
       }
     }
 }
 
-TEST(Overlaps, ThatASpringPressesStayAsTheyAre) {
+TEST(Overlaps, ThatASpringPressesSeparateInPart) {
   TestSim sim;
   sim.system.gravity = Vec3(0.0);
   sim.system.contact = {.points = true};
@@ -62,7 +62,8 @@ TEST(Overlaps, ThatASpringPressesStayAsTheyAre) {
   sim.join(ball, sim.nail({-1.0, 0.0, 0.0}), 1000.0, 0.2);
   sim.join(ball, nail, 10.0, 0.21);
   for (int i = 0; i < 60; ++i) sim.run(default_integrator(), 1.0 / 60.0, 20);
-  EXPECT_NEAR(sim.position(ball).x, 0.15, 1e-9);
+  EXPECT_GT(sim.position(ball).x, 0.15);
+  EXPECT_LT(sim.position(ball).x, 0.2 - 1e-3);
 }
 
 // The same springs, stretched: as soon as nothing presses the points together, they separate, and then they touch.

@@ -39,7 +39,6 @@ constexpr Removal removals[] = {
     {"stacked_jelly", "contact friction", "center_y"},
     {"dominoes", "contact friction", "x72"},
     {"tablecloth", "collider friction", "z26"},
-    {"silk", "bending", "x251"},
     {"paper", "bending", "lowest"},
     {"sheet_metal", "bending", "lowest"},
     {"folded_napkin", "bending", "y216"},

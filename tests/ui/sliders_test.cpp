@@ -27,9 +27,11 @@ TEST(Sliders, EachParameterHasOne) {
   scene.system.set_springs(springs);
   scene.sheet = std::make_shared<const SheetWeights>(SheetWeights{std::vector{0.1, 0.1, 0.1}, std::vector{0.75, 0.75, 0.375, 0.0, 0.75}});
   std::set<std::string_view> shown;
-  for (int parameterization = 0; parameterization < 5; ++parameterization) {
-    // the tolerance is of the automatic method, which needs no number of substeps
-    scene.settings.integrator = parameterization == 4 ? &automatic_method() : &default_integrator();
+  for (int parameterization = 0; parameterization < 6; ++parameterization) {
+    // the tolerance is of the automatic method, which needs no number of substeps; iterations are of methods that iterate
+    scene.settings.integrator = parameterization == 4   ? &automatic_method()
+                                : parameterization == 5 ? find_integrator("projective_dynamics")
+                                                        : &default_integrator();
     scene.parameterization = static_cast<SpringParameterization>(parameterization % 4);
     GuiFixture gui(scene);
     ImGui::GetIO().DisplaySize = {1280.0f, 2300.0f};
