@@ -309,35 +309,5 @@ TEST(AccuracyMeter, HalfTheErrorCostsAsMuchAsReported) {
   }
 }
 
-// Balls that hit each other and obstacles: their impacts happen at other times with another step, and steps by the order of the method, 2,
-// do not halve the error. Sums of the errors of all measured frames but the worst tenth: impacts that fall otherwise may outweigh all
-// others.
-TEST(AccuracyMeter, WhereThingsTouchHalfTheErrorCostsMoreThanTheOrderSays) {
-  const Scene marbles = load_scene(find_scene("marbles")).scene;
-  const auto error_with = [&](int substeps, int& half) {
-    Scene scene = marbles;
-    scene.settings.integrator = find_integrator("velocity_verlet");
-    scene.settings.substeps = substeps;
-    Lab lab = measured_lab(scene, AccuracyMode::Frame);
-    std::vector<double> errors;
-    double time = 0.0;
-    for (int frame = 0; frame < 240; ++frame) {
-      EXPECT_TRUE(lab.step());
-      const Accuracy accuracy = lab.accuracy();
-      half = std::max(half, accuracy.half_error.substeps);
-      EXPECT_EQ(accuracy.half_error.substeps == 0, !accuracy.half_error.reason.empty());
-      if (!accuracy.frame.value || std::exchange(time, accuracy.frame_time) == accuracy.frame_time) continue;
-      errors.push_back(*accuracy.frame.value);
-    }
-    std::ranges::sort(errors);
-    return std::accumulate(errors.begin(), errors.end() - static_cast<std::ptrdiff_t>(errors.size() / 10), 0.0);
-  };
-  int half = 0, quarter = 0, by_order = 29;
-  const double error = error_with(20, half);
-  ASSERT_GT(half, by_order);
-  EXPECT_LT(error_with(half, quarter), error);
-  EXPECT_GT(error_with(by_order, quarter), 0.6 * error);
-}
-
 }  // namespace
 }  // namespace hooke
