@@ -24,7 +24,7 @@ extern "C" {
 
 typedef struct hooke_scene hooke_scene;
 typedef struct hooke_simulation hooke_simulation;
-enum { HOOKE_ACCURACY_OFF = 0, HOOKE_ACCURACY_FRAME = 1, HOOKE_ACCURACY_FULL = 2 };
+enum { HOOKE_ACCURACY_OFF = 0, HOOKE_ACCURACY_FRAME = 1, HOOKE_ACCURACY_FULL = 2 };  // NOLINT(readability-identifier-naming)
 
 HOOKE_C_PUBLIC const char* hooke_version(void);
 HOOKE_C_PUBLIC const char* hooke_error(void);

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "sim/forces/field_kernel.h"
+#include "sim/forces/motion.h"
 
 namespace hooke {
 namespace {
