@@ -2,15 +2,11 @@
 #pragma once
 
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "sim/forces/motion.h"
-#include "sim/model/settings.h"
-#include "sim/model/state.h"
-#include "sim/model/system.h"
+#include "study/energy_monitor.h"
 
 namespace hooke {
 
@@ -40,10 +36,10 @@ class RunMonitor {
   // Maximum rise of the energy, minus the work of the hand, forces and edits, above an earlier value, relative to the supplied energy [1].
   // No physical process causes one. A symplectic method lets the energy oscillate about its modified energy, which is no error of the
   // motion of that size: where the modified energy is known (Integrator::modified_energy), the smaller rise of the two counts.
-  double energy_rise() const { return rise_.energy / scale_; }
+  double energy_rise() const { return energy_.rise(); }
   // Its change since the start, relative to the supplied energy [1]: an error of the method, as far as the scene cannot dissipate as much.
   // Of the modified energy where that changed less.
-  double energy_change() const { return change_ / scale_; }
+  double energy_change() const { return energy_.change(); }
   // Sum of the estimated errors of the frames [m], ignoring their later growth or decay.
   double estimated_error() const { return estimated_error_; }
 
@@ -60,43 +56,8 @@ class RunMonitor {
     double time = 0.0;       // [s], when there were first some
   };
   Crossings crossings_;
-  // An energy of the scene, minus the work done on it, and by how much the modified energy exceeded it then [J]. The latter costs some
-  // force evaluations: in a large net, where a state takes much memory and a frame has many steps, it is computed at once, otherwise from a
-  // copy of the state where it is needed.
-  struct Reference {
-    double energy;
-    std::size_t points;
-    std::shared_ptr<const State> state{};
-    std::optional<double> difference{};
-  };
-  // A state, and the motion that ended in it if there is one.
-  struct Now {
-    const Plan& plan;
-    const Settings& settings;
-    const State& state;
-    const Motion* motion;
-  };
-  double modified_difference(const Now& now);
-  double modified_change(Reference& since, double energy, const Now& now);
-  void keep(Reference& reference, const Now& now);
-
-  // The largest one so far, and when.
-  struct Extreme {
-    double energy = 0.0, time = 0.0;  // [J], [s]
-  };
-  std::string energy_warning(const Extreme& extreme, double present, const char* kind) const;
-
-  Reference start_, lowest_;
-  // At the start of the frame: the kinetic energy [J], and the rate of the dashpots [1/s], of which some may break.
-  double kinetic_ = 0.0, dashpot_rate_;
-  double max_dissipated_ = 0.0;       // [J], by drag, dashpots, contact and forces so far, a bound
-  double dissipated_ = 0.0;           // [J], of it, as far as it is measured; negative
-  Extreme rise_, loss_;               // above an earlier value; since the start, beyond what the scene may have dissipated until then
-  Extreme hidden_gain_;               // since the start, beyond what contact, drag and dashpots are known to have dissipated
-  double change_ = 0.0, gain_ = 0.0;  // [J], since the start: as energy_change, and the gain that is left
-  Motion motion_;                     // scratch
-  double scale_;                      // [J]
-  double estimated_error_ = 0.0;      // [m]
+  EnergyMonitor energy_;
+  double estimated_error_ = 0.0;  // [m]
 };
 
 }  // namespace hooke
