@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
-#include <limits>
 #include <span>
+
+#include "base/bounding_box.h"
 
 namespace hooke {
 namespace {
@@ -29,9 +29,9 @@ glm::dmat3 reflection(int axis) {
 }
 
 Vec3 center_of(const Snapshot& now, const std::vector<PointId>& points) {
-  Vec3 min(std::numeric_limits<double>::infinity()), max = -min;
-  for (const Move::Item& item : unmoved(now, points).items) min = glm::min(min, item.position), max = glm::max(max, item.position);
-  return 0.5 * (min + max);
+  std::vector<Vec3> positions;
+  for (const Move::Item& item : unmoved(now, points).items) positions.push_back(item.position);
+  return bounding_box(positions).center();
 }
 
 std::vector<Command> moved(const Snapshot& start, const std::vector<PointId>& points, const Affine& affine) {

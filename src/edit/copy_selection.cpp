@@ -1,8 +1,6 @@
 #include "edit/copy_selection.h"
 
 #include <algorithm>
-#include <cassert>
-#include <glm/common.hpp>
 
 namespace hooke {
 
@@ -61,17 +59,6 @@ Insert make_insert(const Scene& part, const Vec3& displacement, const IdSource& 
     insert.faces.push_back({no_index, face});
   }
   return insert;
-}
-
-Vec3 bounding_box_center(const Scene& part) {
-  const auto& positions = part.state.position;
-  assert(!positions.empty());
-  Vec3 min = positions.front(), max = min;
-  for (const Vec3& position : positions) {
-    min = glm::min(min, position);
-    max = glm::max(max, position);
-  }
-  return 0.5 * (min + max);
 }
 
 }  // namespace hooke

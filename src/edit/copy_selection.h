@@ -22,7 +22,4 @@ struct IdSource {
 // Inserts the points, springs and faces of `part`, moved by `displacement` [m], all with new ids.
 Insert make_insert(const Scene& part, const Vec3& displacement, const IdSource& ids);
 
-// The center of the bounding box of its points [m]; there must be at least one.
-Vec3 bounding_box_center(const Scene& part);
-
 }  // namespace hooke

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <string_view>
 
+#include "base/bounding_box.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "base/text_lines.h"
@@ -63,12 +63,7 @@ void PointCacheWriter::close() {
 
 std::optional<std::string> point_cache_warning(const State& state) {
   constexpr double half_unit = 0x1p-24, max_relative_error = 1e-5;  // of a float; of the size of the scene
-  if (state.position.empty()) return std::nullopt;
-  Vec3 min = state.position[0], max = min;
-  for (const Vec3& x : state.position) {
-    min = glm::min(min, x);
-    max = glm::max(max, x);
-  }
+  const auto [min, max] = bounding_box(state.position);
   const Vec3 farthest = glm::max(glm::abs(min), glm::abs(max));
   const double error = half_unit * std::max({farthest.x, farthest.y, farthest.z});
   if (error <= max_relative_error * glm::distance(min, max)) return std::nullopt;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <glm/common.hpp>
 #include <utility>
 
+#include "base/bounding_box.h"
 #include "formats/scene_file.h"
 #include "sim/model/hash.h"
 #include "sim/step/divergence.h"
@@ -63,13 +63,7 @@ Problem make_problem(const std::string& id, const Scene& scene) {
   problem.start.time = 0.0;
   initialize_supply(problem.system, problem.start);
 
-  Vec3 min(1e300), max(-1e300);
-  for (const Vec3& x : problem.start.position) {
-    min = glm::min(min, x);
-    max = glm::max(max, x);
-  }
-  const Vec3 extent = max - min;
-  const double largest = std::max({extent.x, extent.y, extent.z});
+  const double largest = bounding_box(problem.start.position).longest_side();
   problem.size = largest > 0.0 ? largest : 1.0;
   return problem;
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/bounding_box.h"
 #include "edit/copy_selection.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"
@@ -114,7 +115,7 @@ TEST(Excerpt, IsReadBackFromItsTextBitForBit) {
 
 TEST(Excerpt, IsInsertedAtItsDisplacementAndHasACenter) {
   const Scene part = copy_selection(snapshot_of(two_chains()), nullptr, {{point(0), point(2)}, {}});
-  EXPECT_NEAR(bounding_box_center(part).x, 0.1, 1e-15);
+  EXPECT_NEAR(bounding_box(part.state.position).center().x, 0.1, 1e-15);
   std::uint32_t next = 100;
   const Insert insert = make_insert(part, {0.0, 3.0, 0.0}, {[&] { return PointId{next++}; }, [&] { return SpringId{next++}; }});
   ASSERT_EQ(insert.points.size(), 2u);

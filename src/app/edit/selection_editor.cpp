@@ -1,5 +1,6 @@
 #include "app/edit/selection_editor.h"
 
+#include "base/bounding_box.h"
 #include "formats/scene_file.h"
 #include "ui/text.h"
 
@@ -59,7 +60,7 @@ void SelectionEditor::paste(const std::optional<glm::dvec2>& place) {
 
 void SelectionEditor::paste(const Scene& part, const glm::dvec2& place) {
   if (part.system.points().empty()) return panels_.show_toast("The clipboard contains no points");
-  const Vec3 middle = bounding_box_center(part);
+  const Vec3 middle = bounding_box(part.state.position).center();
   insert(part, context_.point_in_view_plane(place, middle) - middle);
   panels_.show_toast("Pasted " + count_of(part));
 }
@@ -67,7 +68,7 @@ void SelectionEditor::paste(const Scene& part, const glm::dvec2& place) {
 void SelectionEditor::duplicate() {
   const Scene part = selected_part();
   if (part.system.points().empty()) return panels_.show_toast("Nothing is selected");
-  const Vec3 middle = bounding_box_center(part);
+  const Vec3 middle = bounding_box(part.state.position).center();
   const auto seen = project_to_screen(context_.view_transform(), middle);
   const glm::dvec2 offset(duplicate_offset * context_.scale);
   insert(part, seen ? context_.point_in_view_plane(*seen + offset, middle) - middle : Vec3(0.0));

@@ -1,10 +1,10 @@
 // The input script and the data file of LAMMPS (https://docs.lammps.org).
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "base/bounding_box.h"
 #include "base/bounds.h"
 #include "base/printable.h"
 #include "formats/lammps/lammps_model.h"
@@ -126,12 +126,7 @@ std::string format_lammps_data(const Scene& scene) {
              std::to_string(system.index_of(spring.second) + 1) + "\n";
   }
 
-  Vec3 min(0.0), max(0.0);
-  for (const Vec3& x : scene.state.position) {
-    if (&x == &scene.state.position.front()) min = max = x;
-    min = glm::min(min, x);
-    max = glm::max(max, x);
-  }
+  const auto [min, max] = bounding_box(scene.state.position);
   const double margin = 0.5 * max_spring_length(scene);
 
   std::string text = printable(scene.name, 200) + ": written by Hooke; SI units\n\n";

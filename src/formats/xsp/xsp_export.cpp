@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/bounding_box.h"
 #include "base/file_limits.h"
 #include "base/formatted.h"
 #include "base/json_field.h"
@@ -114,11 +115,7 @@ class Exporter {
   // Moves the scene so that its walls are the sides of the window; if it has none, so that its center of forces is the middle of the
   // window; otherwise so that it is in the window.
   void choose_window_shift() {
-    Vec3 min(0.0), max(0.0);
-    for (std::size_t i = 0; i < scene_.state.position.size(); ++i) {
-      min = i == 0 ? scene_.state.position[i] : glm::min(min, scene_.state.position[i]);
-      max = i == 0 ? scene_.state.position[i] : glm::max(max, scene_.state.position[i]);
-    }
+    const BoundingBox box = bounding_box(scene_.state.position);
     auto center_of_forces = center();
     if (center_point_ != no_index) center_of_forces.reset();  // that mass can be named
     const auto shift = [&](XspSide low, XspSide high, double width, int c) {
@@ -126,7 +123,7 @@ class Exporter {
       if (const Wall* wall = wall_at(low)) return -wall->place;
       if (const Wall* wall = wall_at(high)) return size - wall->place;
       if (center_of_forces) return 0.5 * size - (*center_of_forces)[c];
-      return min[c] >= 0.0 && max[c] <= size ? 0.0 : 0.5 * size - 0.5 * (min[c] + max[c]);
+      return box.min[c] >= 0.0 && box.max[c] <= size ? 0.0 : 0.5 * size - box.center()[c];
     };
     shift_.x = shift(XspSide::Left, XspSide::Right, xsp_window_width, 0);
     shift_.y = shift(XspSide::Bottom, XspSide::Top, xsp_window_height, 1);

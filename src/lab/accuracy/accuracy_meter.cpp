@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <limits>
 #include <utility>
 
+#include "base/bounding_box.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "sim/contact/contact.h"
 #include "sim/control/automatic.h"
@@ -48,10 +48,7 @@ constexpr double round_off = 1e-15;
 
 // Largest extent of the scene [m]; of a single point 1 m.
 double size_of(const State& state) {
-  Vec3 min(1e300), max(-1e300);
-  for (const Vec3& x : state.position) min = glm::min(min, x), max = glm::max(max, x);
-  const Vec3 extent = max - min;
-  const double largest = std::max({extent.x, extent.y, extent.z});
+  const double largest = bounding_box(state.position).longest_side();
   return largest > 0.0 ? largest : 1.0;
 }
 

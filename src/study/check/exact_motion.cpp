@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <string>
 #include <utility>
 
+#include "base/bounding_box.h"
 #include "base/number_text.h"
 #include "sim/contact/contact.h"
 #include "sim/control/automatic.h"
@@ -152,12 +152,6 @@ std::optional<std::vector<Vec3>> catenary(const System& system, const State& sta
   return places;
 }
 
-double extent_of_points(const State& state) {
-  Vec3 min(std::numeric_limits<double>::infinity()), max(-min);
-  for (const Vec3& x : state.position) min = glm::min(min, x), max = glm::max(max, x);
-  return std::max({max.x - min.x, max.y - min.y, max.z - min.z, 1e-6});
-}
-
 }  // namespace
 
 std::optional<Companion> exact_companion(const std::shared_ptr<const System>& system, const State& state) {
@@ -199,7 +193,7 @@ Companion exact_or_reference(const std::shared_ptr<const System>& system, const 
   Settings reference = settings;
   reference.integrator = find_integrator("dop853");
   reference.substeps = 1;
-  reference.tolerance = 1e-9 * extent_of_points(state);
+  reference.tolerance = 1e-9 * std::max(bounding_box(state.position).longest_side(), 1e-6);
   Companion companion = companion_of(reference);
   companion.name = "Reference (" + std::string(reference.integrator->id) + ", " + quantity_text(*reference.tolerance, "m", 1) + ")";
   return companion;

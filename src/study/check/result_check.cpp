@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
 
+#include "base/bounding_box.h"
 #include "scene/quantity.h"
 #include "scene/step_advice.h"
 #include "sim/control/frame_error.h"
@@ -135,13 +135,6 @@ void measure_equilibrium(Version& version, const Part& part) {
     measure_period(version, *rest, part.within(0.5, 1.0));
 }
 
-double extent_of(const State& state) {
-  Vec3 min(std::numeric_limits<double>::infinity()), max(-min);
-  for (const Vec3& x : state.position) min = glm::min(min, x), max = glm::max(max, x);
-  const Vec3 size = max - min;
-  return std::max({size.x, size.y, size.z, 1e-300});
-}
-
 void compare(const Version& now, const Version& half, const Version* finer, ResultCheck& check) {
   const auto add = [&](std::string_view name, std::string_view unit, std::optional<double> Version::*value, double scale,
                        const std::string& why) {
@@ -187,7 +180,7 @@ ResultCheck check_result(const System& system, const State& state, const Setting
     check.note = "Not checked, because half the step may be as wrong: " + *warning + ".";
     return check;
   }
-  check.size = extent_of(state);
+  check.size = std::max(bounding_box(state.position).longest_side(), 1e-300);
   Version now{system, state, settings}, half{system, state, refined(system, settings)};
   half.state.memory = {};
   std::optional<Version> finer;
