@@ -20,7 +20,6 @@
 #include "scene/parameter_value.h"
 #include "sim/control/automatic.h"
 #include "sim/model/hash.h"
-#include "study/gnuplot.h"
 #include "study/work_precision_chart.h"
 
 namespace hooke {
@@ -185,8 +184,8 @@ void save_results(const Results& results, const std::filesystem::path& folder) {
 }
 
 std::optional<std::string> draw_charts(const Results& results, const std::filesystem::path& folder) {
-  for (const auto& [format, file] : {std::pair{ChartFormat::Svg, "bench.svg"}, std::pair{ChartFormat::Png, "bench.png"}})
-    if (std::optional<std::string> failure = draw_chart(chart_script(results, format), folder / file)) return failure;
+  for (const char* file : {"bench.svg", "bench.png"})
+    if (std::optional<std::string> failure = draw_chart(work_precision_chart(results), folder / file)) return failure;
   return std::nullopt;
 }
 

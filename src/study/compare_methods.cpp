@@ -7,7 +7,6 @@
 #include "base/atomic_write.h"
 #include "base/file_limits.h"
 #include "base/number_text.h"
-#include "study/gnuplot.h"
 #include "study/work_precision_chart.h"
 
 namespace hooke {
@@ -88,8 +87,7 @@ std::string write_comparison(const MethodComparison& comparison, const std::file
     } else if (extension == ".json") {
       write_atomically(file, format_results(results));
     } else if (extension == ".svg" || extension == ".png") {
-      const ChartFormat format = extension == ".svg" ? ChartFormat::Svg : ChartFormat::Png;
-      return draw_chart(chart_script(results, format), file).value_or("");
+      return draw_chart(work_precision_chart(results), file).value_or("");
     } else {
       return "no such format: must be .svg, .png, .csv or .json";
     }

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "base/atomic_write.h"
+#include "base/formatted.h"
 
 namespace hooke {
 namespace {
@@ -47,10 +48,14 @@ std::string gnuplot_text(std::string_view text) {
   return out + '\'';
 }
 
-std::optional<std::string> draw_chart(const std::string& script, const std::filesystem::path& file) {
-  std::string chart;
-  if (std::optional<std::string> failure = run_gnuplot(script, chart)) return failure;
-  write_atomically(file, chart);
+std::optional<std::string> draw_chart(const GnuplotChart& chart, const std::filesystem::path& file) {
+  const std::string start = formatted(
+      "set terminal %s size %d,%d font 'DejaVu Sans,12' background '#ffffff'\n"
+      "set encoding utf8\nset border 3 linecolor rgb '#888888'\nset tics nomirror out textcolor rgb '#333333'\n",
+      file.extension() == ".svg" ? "svg" : "pngcairo", chart.width, chart.height);
+  std::string drawn;
+  if (std::optional<std::string> failure = run_gnuplot(start + chart.script, drawn)) return failure;
+  write_atomically(file, drawn);
   return std::nullopt;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/formatted.h"
-#include "study/gnuplot.h"
+#include "base/number_text.h"
 
 namespace hooke {
 namespace {
@@ -17,17 +17,12 @@ constexpr int chart_width = 920, unit_height = 320;  // [px]
 
 }  // namespace
 
-std::string plot_chart(const TraceTable& table, double first, double last, bool is_spectrum, ChartFormat format) {
+GnuplotChart plot_chart(const TraceTable& table, double first, double last, bool is_spectrum) {
   std::vector<std::string_view> units;
   for (const Trace& trace : table.traces)
     if (std::ranges::find(units, trace.quantity.row->unit) == units.end()) units.push_back(trace.quantity.row->unit);
-  std::string script;
-  append_formatted(script, "set terminal %s size %d,%d font 'DejaVu Sans,12' background '#ffffff'\n",
-                   format == ChartFormat::Svg ? "svg" : "pngcairo", chart_width,
-                   unit_height * static_cast<int>(std::max<std::size_t>(1, units.size())));
-  script +=
-      "set encoding utf8\nset border 3 linecolor rgb '#888888'\nset tics nomirror out textcolor rgb '#333333'\n"
-      "set grid xtics ytics linecolor rgb '#EEEEEE' linetype 1\nset key outside top left horizontal noenhanced\n";
+  const int panels = std::max(1, static_cast<int>(units.size()));
+  std::string script = "set grid xtics ytics linecolor rgb '#EEEEEE' linetype 1\nset key outside top left horizontal noenhanced\n";
   append_formatted(script, "set xrange [%.17g:%.17g]\nset xlabel '%s' noenhanced\n", first, last,
                    is_spectrum ? "frequency [Hz]" : "time [s]");
   for (std::size_t t = 0; t < table.traces.size(); ++t) {
@@ -39,7 +34,7 @@ std::string plot_chart(const TraceTable& table, double first, double last, bool 
     }
     script += "EOD\n";
   }
-  append_formatted(script, "set multiplot layout %zu,1\n", std::max<std::size_t>(1, units.size()));
+  append_formatted(script, "set multiplot layout %d,1\n", panels);
   for (const std::string_view unit : units) {
     script += "set ylabel " + gnuplot_text("[" + unit_text(unit) + "]") + " noenhanced\n";
     std::size_t lines = 0;
@@ -53,7 +48,7 @@ std::string plot_chart(const TraceTable& table, double first, double last, bool 
     }
     script += '\n';
   }
-  return script + "unset multiplot\n";
+  return {chart_width, panels * unit_height, script + "unset multiplot\n"};
 }
 
 }  // namespace hooke

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/formatted.h"
-#include "study/gnuplot.h"
 
 namespace hooke {
 namespace {
@@ -103,21 +102,15 @@ void print_panel(std::string& script, const ProblemRecord& record, std::size_t p
 
 }  // namespace
 
-std::string chart_script(const Results& results, ChartFormat format) {
+GnuplotChart work_precision_chart(const Results& results) {
   const int count = std::max<int>(1, static_cast<int>(results.problems.size()));
   const int columns = count == 1 ? 1 : 2, rows = (count + columns - 1) / columns;
-  std::string script;
-  append_formatted(script, "set terminal %s size %d,%d font 'DejaVu Sans,12' background '#ffffff'\n",
-                   format == ChartFormat::Svg ? "svg" : "pngcairo", columns * panel_width, rows * panel_height + header_height);
-  script +=
-      "set encoding utf8\n"
+  std::string script =
       "set tmargin 5\n"
       "set logscale xy\n"
       "set format y '10^{%T}'\n"
       "set format x '%g'\n"
       "set grid xtics ytics linecolor rgb '#EEEEEE' linetype 1\n"
-      "set border 3 linecolor rgb '#888888'\n"
-      "set tics nomirror out textcolor rgb '#333333'\n"
       "set xlabel 'CPU time, ms per simulated second' offset 0,0.3\n"
       "set ylabel 'relative error' offset 1,0\n"
       "set key rmargin top Left reverse noenhanced samplen 2 font ',13'\n";
@@ -128,8 +121,7 @@ std::string chart_script(const Results& results, ChartFormat format) {
                    best_decade, worst_decade, rows, columns);
   std::size_t place = 0;
   for (const ProblemRecord& record : results.problems) print_panel(script, record, place++);
-  script += "unset multiplot\n";
-  return script;
+  return {columns * panel_width, rows * panel_height + header_height, script + "unset multiplot\n"};
 }
 
 }  // namespace hooke

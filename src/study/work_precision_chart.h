@@ -1,16 +1,12 @@
-// The benchmark chart, as a gnuplot script: one panel per problem, error against cost on logarithmic axes, one line per method, and the
+// The benchmark chart: one panel per problem, error against cost on logarithmic axes, one line per method, and the
 // Pareto front.
 #pragma once
 
-#include <string>
-
+#include "study/gnuplot.h"
 #include "study/work_precision_file.h"
 
 namespace hooke {
 
-enum class ChartFormat { Svg, Png };
-
-// Draws to the standard output of gnuplot.
-std::string chart_script(const Results& results, ChartFormat format);
+GnuplotChart work_precision_chart(const Results& results);
 
 }  // namespace hooke

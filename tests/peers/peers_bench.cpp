@@ -13,7 +13,6 @@
 #include "peers/peer_problems.h"
 #include "peers/peer_sweep.h"
 #include "sim/plan/plan.h"
-#include "study/gnuplot.h"
 #include "study/work_precision_chart.h"
 #include "study/work_precision_file.h"
 #include "support/crossings.h"
@@ -242,7 +241,7 @@ int run(int argc, char** argv) {
     write_atomically(folder / "peers.json", format_results(results));
     write_atomically(folder / "peers.md",
                      conditions + " CPU milliseconds per simulated second for a relative error of at most:\n" + tables);
-    if (const auto failure = draw_chart(chart_script(results, ChartFormat::Svg), folder / "peers.svg")) throw std::runtime_error(*failure);
+    if (const auto failure = draw_chart(work_precision_chart(results), folder / "peers.svg")) throw std::runtime_error(*failure);
   }
   std::string costs;
   if (is_chosen("costs")) costs += feature_table() + "\n";

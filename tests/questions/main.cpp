@@ -26,10 +26,10 @@ constexpr std::array questions{
 // Okabe and Ito 2008, legible in print and with color vision deficiencies.
 constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#000000", "#CC79A7", "#E69F00", "#56B4E9", "#5B5B5B"};
 
-std::string make_script(const Chart& chart) {
+GnuplotChart make_chart(const Chart& chart) {
   std::ostringstream script;
-  script << "set terminal svg size 900,440 noenhanced font 'DejaVu Sans,13' background 'white'\nset title '" << chart.title
-         << "'\nset xlabel '" << chart.x << "'\nset ylabel '" << chart.y
+  script << "set termoption noenhanced\nset termoption font 'DejaVu Sans,13'\nset title '" << chart.title << "'\nset xlabel '" << chart.x
+         << "'\nset ylabel '" << chart.y
          << "'\nset grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\nset rmargin 36\nset key at screen 0.68,0.9 left top Left "
             "reverse spacing 1.3\n";
   if (chart.log_x) script << "set logscale x\nset format x '%g'\n";
@@ -47,7 +47,7 @@ std::string make_script(const Chart& chart) {
            << 2 + (chart.series.size() - s) / 2 << " lc rgb '" << colors[s % colors.size()] << "' title '" << chart.series[s].name << "'";
   }
   script << "\n";
-  return script.str();
+  return {900, 440, script.str()};
 }
 
 int answer_all(const std::filesystem::path& folder) {
@@ -56,7 +56,7 @@ int answer_all(const std::filesystem::path& folder) {
   for (const Question& question : questions) {
     const Answer answer = question.measure();
     const std::string file = std::string("question_") + question.name + ".svg";
-    if (const auto failure = draw_chart(make_script(answer.chart), folder / file)) {
+    if (const auto failure = draw_chart(make_chart(answer.chart), folder / file)) {
       std::cerr << *failure << "\n";
       return 5;
     }

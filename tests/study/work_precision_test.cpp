@@ -190,7 +190,7 @@ TEST(BenchFiles, OtherJsonIsRefusedInOneLine) {
 }
 
 TEST(BenchChart, TheScriptDrawsAndNamesEveryMethod) {
-  const std::string script = chart_script(results_of(swept_record()), ChartFormat::Svg);
+  const std::string script = work_precision_chart(results_of(swept_record())).script;
   for (const Integrator& method : integrators()) {
     EXPECT_NE(script.find("$panel0_" + std::string(method.id) + " with linespoints"), std::string::npos) << method.id;
     EXPECT_NE(script.find("title '" + std::string(method.id) + "'"), std::string::npos) << method.id;
@@ -207,7 +207,7 @@ TEST(BenchChart, DrawsOtherEnginesBesideTheMethods) {
     row.method = engine;
     record.rows.push_back(row);
   }
-  const std::string script = chart_script(results_of(record), ChartFormat::Svg);
+  const std::string script = work_precision_chart(results_of(record)).script;
   for (const char* text : {"title 'lammps'", "title 'another'"}) {
     const auto at = script.find(text);
     ASSERT_NE(at, std::string::npos) << text;
@@ -224,7 +224,7 @@ TEST(BenchChart, ANameCannotEndItsQuotes) {
   record.title = record.rows.front().method = "it's'\nsystem(\"touch /tmp/x\")";
   record.rows.front().relative_error = 1e-3;
   record.rows.front().cpu_ms_per_s = 5.0;
-  const std::string script = chart_script(results_of(record), ChartFormat::Png);
+  const std::string script = work_precision_chart(results_of(record)).script;
   EXPECT_NE(script.find("it''s'' system("), std::string::npos);
   std::istringstream lines(script);
   for (std::string line; std::getline(lines, line);) {

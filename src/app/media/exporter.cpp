@@ -7,7 +7,6 @@
 #include "formats/open_file.h"
 #include "formats/point_cache.h"
 #include "study/frame_export.h"
-#include "study/gnuplot.h"
 #include "study/plot_chart.h"
 #include "study/spectrum.h"
 
@@ -106,8 +105,7 @@ void Exporter::export_plots() {
     const bool is_spectrum = panels_.plots.shows_spectrum;
     const TraceTable shown = is_spectrum ? spectrum_of(traces, first, last) : traces;
     if (is_spectrum) first = 0.0, last = shown.times.empty() ? 1.0 : shown.times.back();
-    const ChartFormat format = file_.extension() == ".svg" ? ChartFormat::Svg : ChartFormat::Png;
-    finish(draw_chart(plot_chart(shown, first, last, is_spectrum, format), file_).value_or(""), false);
+    finish(draw_chart(plot_chart(shown, first, last, is_spectrum), file_).value_or(""), false);
   } catch (const FileError& error) {
     finish(error.what(), false);
   }

@@ -1,12 +1,9 @@
 #include "batch/sweep/run_sweep.h"
 
-#include <utility>
-
 #include "base/atomic_write.h"
 #include "batch/output_file.h"
 #include "batch/sweep/sweep_chart.h"
 #include "batch/sweep/sweep_report.h"
-#include "study/gnuplot.h"
 
 namespace hooke {
 
@@ -50,11 +47,10 @@ SweepResults merge_sweeps(const std::vector<std::filesystem::path>& parts, const
 }
 
 std::optional<std::string> draw_sweep_charts(const SweepResults& results, const std::filesystem::path& folder) {
-  for (const auto& [format, file] : {std::pair{ChartFormat::Svg, "sweep.svg"}, std::pair{ChartFormat::Png, "sweep.png"}}) {
-    const std::string script = sweep_chart_script(results.sweep, results.rows, format);
-    if (script.empty()) return "no chart: too many combinations of more than two parameters";
-    if (std::optional<std::string> failure = draw_chart(script, folder / file)) return failure;
-  }
+  const std::optional<GnuplotChart> chart = sweep_chart(results.sweep, results.rows);
+  if (!chart) return "no chart: too many combinations of more than two parameters";
+  for (const char* file : {"sweep.svg", "sweep.png"})
+    if (std::optional<std::string> failure = draw_chart(*chart, folder / file)) return failure;
   return std::nullopt;
 }
 

@@ -6,7 +6,6 @@
 
 #include "base/formatted.h"
 #include "scene/parameter_value.h"
-#include "study/gnuplot.h"
 
 namespace hooke {
 namespace {
@@ -179,21 +178,15 @@ void print_heat_map(std::string& script, const Sweep& sweep, const SweepRows& ro
 
 }  // namespace
 
-std::string sweep_chart_script(const Sweep& sweep, const SweepRows& rows, ChartFormat format) {
+std::optional<GnuplotChart> sweep_chart(const Sweep& sweep, const SweepRows& rows) {
   const std::size_t combinations = sweep.row_count() / sweep.axes[horizontal_axis(sweep)].values.size();
   const bool has_lines = combinations <= max_lines;
-  if (!has_lines && sweep.axes.size() != 2) return {};
+  if (!has_lines && sweep.axes.size() != 2) return std::nullopt;
 
   const int count = static_cast<int>(sweep.measures.size()), columns = count == 1 ? 1 : 2, lines = (count + columns - 1) / columns;
-  std::string script;
-  append_formatted(script, "set terminal %s size %d,%d font 'DejaVu Sans,12' background '#ffffff'\n",
-                   format == ChartFormat::Svg ? "svg" : "pngcairo", columns * panel_width, lines * panel_height);
-  script += "set encoding utf8\n";
-  append_formatted(script, "set multiplot layout %d,%d\n", lines, columns);
+  std::string script = formatted("set multiplot layout %d,%d\n", lines, columns);
   script +=
       "set format x '%g'\n"
-      "set border 3 linecolor rgb '#888888'\n"
-      "set tics nomirror out textcolor rgb '#333333'\n"
       "set key outside right top Left reverse samplen 2\n"
       "set palette defined (0 '#440154', 0.25 '#3B528B', 0.5 '#21918C', 0.75 '#5EC962', 1 '#FDE725')\n";
   if (has_lines) script += "set grid xtics ytics linecolor rgb '#EEEEEE' linetype 1\n";
@@ -212,8 +205,7 @@ std::string sweep_chart_script(const Sweep& sweep, const SweepRows& rows, ChartF
     else
       print_heat_map(script, sweep, rows, i, data);
   }
-  script += "unset multiplot\n";
-  return script;
+  return GnuplotChart{columns * panel_width, lines * panel_height, script + "unset multiplot\n"};
 }
 
 }  // namespace hooke
