@@ -21,8 +21,6 @@ std::vector<double> components(const std::vector<Vec3>& vectors) {
   return all;
 }
 
-Loads loads_of(const Lab& lab) { return compute_loads(lab); }
-
 }  // namespace
 
 std::int64_t Simulation::point_count() const { return data().system().point_count(); }
@@ -56,13 +54,13 @@ std::vector<double> Simulation::stiffness() const {
 std::vector<double> Simulation::rest_lengths() const {
   return values<double>(data().system().springs(), [](const Spring& spring) { return spring.rest_length; });
 }
-std::vector<double> Simulation::tensions() const { return loads_of(data().lab).tension; }
+std::vector<double> Simulation::tensions() const { return compute_loads(data().lab).tension; }
 
-std::vector<double> Simulation::reactions() const { return components(loads_of(data().lab).reaction); }
-std::vector<double> Simulation::contact_forces() const { return components(loads_of(data().lab).contact); }
+std::vector<double> Simulation::reactions() const { return components(compute_loads(data().lab).reaction); }
+std::vector<double> Simulation::contact_forces() const { return components(compute_loads(data().lab).contact); }
 
 std::vector<std::int64_t> Simulation::contacts() const {
-  const std::vector<Vec3> forces = loads_of(data().lab).contact;
+  const std::vector<Vec3> forces = compute_loads(data().lab).contact;
   std::vector<std::int64_t> points;
   for (std::size_t i = 0; i < forces.size(); ++i)
     if (forces[i] != Vec3(0.0)) points.push_back(static_cast<std::int64_t>(i));

@@ -25,7 +25,6 @@ class VideoEncoder {
   void close();
   // Ends ffmpeg, from any thread: a blocked `add` then fails.
   void abort();
-  const std::filesystem::path& file() const { return file_; }
 
  private:
   int finish();

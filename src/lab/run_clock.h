@@ -12,8 +12,7 @@ class RunClock {
   void set_running(bool running);
   // Runs as fast as possible from one time of the scene to another [s].
   void run_to(double from, double to);
-  // Whether this is done as fast as possible; and from where to where [s], both 0: it is not.
-  bool is_run_to() const { return run_to_.has_value(); }
+  // From where to where it runs as fast as possible [s]; both 0: it does not.
   double from() const { return run_to_ ? run_from_ : 0.0; }
   double to() const { return run_to_.value_or(0.0); }
 

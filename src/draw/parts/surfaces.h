@@ -22,7 +22,6 @@ class Surfaces {
   // A flat quadrilateral, with its corners in order.
   void add_quad(const Projection& projection, const Vec3 (&corners)[4], const Vec3& normal, Rgba rgba);
 
-  GLuint corner_count() const { return static_cast<GLuint>(vertices_.size()); }
   bool is_empty() const { return indices_.empty(); }
   void extend(PixelExtent& extent, const Projection& projection) const;
   void draw(const Shader& shader);
