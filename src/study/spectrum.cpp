@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 namespace hooke {
 namespace {
@@ -14,16 +15,15 @@ namespace {
 constexpr std::size_t min_values = 8;
 // Zeros after the values give points between the frequencies, so that a peak is found to a fraction of their distance.
 constexpr std::size_t padding = 4;
-constexpr double noticed = 0.01;  // of the largest amplitude of the same unit
+constexpr double noticed = 0.01;  // of the largest amplitude in the same plot
 
-std::vector<double> amplitudes(const std::vector<double>& values, std::size_t begin, std::size_t end) {
-  const std::size_t n = end - begin;
-  const auto first = values.begin() + static_cast<std::ptrdiff_t>(begin);
-  const double mean = std::accumulate(first, first + static_cast<std::ptrdiff_t>(n), 0.0) / static_cast<double>(n);
+std::vector<double> amplitudes(std::span<const double> values) {
+  const std::size_t n = values.size();
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(n);
   std::vector<double> padded(padding * std::bit_ceil(n), 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     const double phase = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n - 1);
-    padded[i] = (values[begin + i] - mean) * 0.5 * (1.0 - std::cos(phase));
+    padded[i] = (values[i] - mean) * 0.5 * (1.0 - std::cos(phase));
   }
   std::vector<std::complex<double>> transformed;
   Eigen::FFT<double>().fwd(transformed, padded);
@@ -45,13 +45,11 @@ TraceTable spectrum_of(const TraceTable& table, double first, double last) {
   const double step = (table.times[end - 1] - table.times[begin]) / static_cast<double>(end - 1 - begin);
   std::size_t shown = min_values;
   for (const Trace& trace : table.traces) {
-    const bool is_known = std::all_of(trace.values.begin() + static_cast<std::ptrdiff_t>(begin),
-                                      trace.values.begin() + static_cast<std::ptrdiff_t>(end), [](double v) { return std::isfinite(v); });
-    if (!is_known) continue;
-    spectrum.traces.push_back({trace.quantity, amplitudes(trace.values, begin, end)});
+    const auto values = std::span(trace.values).subspan(begin, end - begin);
+    const bool is_known = std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+    if (is_known) spectrum.traces.push_back({trace.quantity, amplitudes(values)});
   }
   for (const Trace& trace : spectrum.traces) {
-    // of what is in the same plot
     double largest = 0.0;
     for (const Trace& other : spectrum.traces)
       if (other.quantity.row->unit == trace.quantity.row->unit) largest = std::max(largest, *std::ranges::max_element(other.values));

@@ -9,6 +9,12 @@
 
 namespace hooke {
 
+// The range of typed values: far beyond the sliders, but still computable. [kg], [m], [N/m], [N s/m], [1], [m/s]
+namespace typed {
+inline constexpr double min_mass = 1e-9, max_mass = 1e9, max_length = 1e6, max_stiffness = 1e12, max_damping = 1e9, max_strain = 1e6,
+                        max_speed = 1e6;
+}
+
 struct TypedField {
   std::string_view label, unit, description;
   double min = 0.0, max = 1.0;

@@ -42,20 +42,13 @@ void Exporter::start() {
   file_ = typed_path(state.path);
   if (file_.extension() != kind.extension)
     return panels_.show_message("Cannot export", "The path must end in " + std::string(kind.extension) + ".");
-  if (kind.source == ExportSource::Picture) {
-    captures_.take_picture(file_, state.picture);
-    state.is_shown = false;
-    return;
-  }
-  if (kind.source == ExportSource::Film) {
-    captures_.start_film(file_);
-    context_.lab.submit(SetRunning{true});
-    state.is_shown = false;
-    return;
-  }
   if (kind.source == ExportSource::Frames) return export_frames(kind);
   if (kind.source == ExportSource::Plots) return export_plots();
-  export_state();
+  if (kind.source == ExportSource::Scene) return export_state();
+  state.is_shown = false;
+  if (kind.source == ExportSource::Picture) return captures_.take_picture(file_, state.picture);
+  captures_.start_film(file_);
+  context_.lab.submit(SetRunning{true});
 }
 
 void Exporter::export_frames(const FileKind& kind) {

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "base/bounding_box.h"
 #include "base/file_limits.h"
 #include "base/formatted.h"
 #include "base/json_field.h"
@@ -16,6 +15,7 @@
 #include "formats/xsp/xsp_text.h"
 #include "scene/new_point.h"
 #include "sim/forces/terms/rows.h"
+#include "sim/model/bounding_box.h"
 
 namespace hooke {
 namespace {

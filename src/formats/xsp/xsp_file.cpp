@@ -19,6 +19,8 @@ enum ForceId { Gravity = 0, MassCenter = 1, Center = 2, Wall = 3, Collisions = 4
 // XSpringies replaces a mass of 0.
 double mass_of(const XspMass& mass) { return mass.mass == 0.0 ? 1.0 : std::abs(mass.mass); }
 
+double elasticity_of(const XspMass& mass) { return mass.elasticity; }
+
 // The most common value among the free masses or the nails, and the number of them with another one.
 struct MostCommon {
   double value;
@@ -217,8 +219,7 @@ class Importer {
 
   // The restitution of these, which masses have in XSpringies.
   double import_elasticity(const std::string& whose) {
-    const MostCommon elasticity =
-        most_common(document_.masses, document_.new_elasticity, [](const XspMass& mass) { return mass.elasticity; });
+    const MostCommon elasticity = most_common(document_.masses, document_.new_elasticity, elasticity_of);
     const double restitution = std::clamp(elasticity.value, 0.0, 1.0);
     if (elasticity.others > 0)
       warn(pluralize(elasticity.others, "mass", "masses") + " with an elasticity other than " + format_rounded(elasticity.value) +
@@ -232,10 +233,8 @@ class Importer {
     const double restitution = import_elasticity("contact");
     const auto nails = static_cast<std::size_t>(std::ranges::count_if(document_.masses, [](const XspMass& m) { return m.mass < 0.0; }));
     if (2 * nails <= document_.masses.size() - nails) return restitution;
-    const double of_nails = most_common(
-                                document_.masses, restitution, [](const XspMass& mass) { return mass.elasticity; }, true)
-                                .value;
-    return 0.5 * (restitution + std::clamp(of_nails, 0.0, 1.0));
+    const MostCommon of_nails = most_common(document_.masses, restitution, elasticity_of, true);
+    return 0.5 * (restitution + std::clamp(of_nails.value, 0.0, 1.0));
   }
 
   // The defaults of new masses and springs.

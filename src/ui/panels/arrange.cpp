@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "ui/number_field.h"
 #include "ui/panels.h"
 #include "ui/typed_field.h"
 #include "ui/widgets.h"
@@ -47,7 +48,7 @@ void build_arrange(const PanelInput& input, Panels& panels, Requests& requests) 
   Affine affine{.about = center_of(now, points)};
   ImGui::PushID("arrange");
   for (int axis = 0; axis < dimensions; ++axis)
-    if (const auto by = amount(std::string("Move ") + axes[axis], "m", "Moves all by this much.", 0.0, 1e6, panels))
+    if (const auto by = amount(std::string("Move ") + axes[axis], "m", "Moves all by this much.", 0.0, typed::max_length, panels))
       affine.shift[axis] = *by;
   for (int axis = dimensions == 2 ? 2 : 0; axis < 3; ++axis)
     if (const auto by = amount(std::string("Turn about ") + axes[axis], "deg", "About the center of the points, counter-clockwise.", 0.0,

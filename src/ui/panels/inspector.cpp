@@ -12,10 +12,6 @@
 namespace hooke {
 namespace {
 
-// The range of typed values: far beyond the sliders, but still computable. [kg], [m], [N/m], [N s/m], [1], [m/s]
-constexpr double min_mass = 1e-9, max_mass = 1e9, max_length = 1e6, max_stiffness = 1e12, max_damping = 1e9, max_strain = 1e6,
-                 max_speed = 1e6;
-
 void edit(Command command, Panels& panels, Requests& requests) {
   requests.emplace_back(Edit{std::move(command), panels.field.edit_in_progress});
 }
@@ -47,8 +43,11 @@ void point_row(const TypedField& field, PointProperty property, const Common<dou
 void place_row(const char* label, int axis, const Inspected& inspected, Panels& panels, Requests& requests) {
   const State& state = inspected.snapshot.state;
   const auto now = common(inspected.parts.points, [&](Index i) { return state.position[i][axis]; });
-  const TypedField field{
-      .label = label, .unit = "m", .description = "A point that is moved keeps its velocity.", .min = -max_length, .max = max_length};
+  const TypedField field{.label = label,
+                         .unit = "m",
+                         .description = "A point that is moved keeps its velocity.",
+                         .min = -typed::max_length,
+                         .max = typed::max_length};
   if (const auto value = typed_row(field_of(field, now), panels)) {
     Move move;
     for (const Index i : inspected.parts.points) {
@@ -66,8 +65,11 @@ void velocity_row(const char* label, int axis, const Inspected& inspected, Panel
   std::vector<Index> free;
   std::ranges::copy_if(inspected.parts.points, std::back_inserter(free), [&](Index i) { return !inspected.point(i).nailed; });
   const auto now = common(free, [&](Index i) { return state.velocity[i][axis]; });
-  const TypedField field{
-      .label = label, .unit = "m/s", .description = "Alt+drag from a point in the scene sets it too.", .min = -max_speed, .max = max_speed};
+  const TypedField field{.label = label,
+                         .unit = "m/s",
+                         .description = "Alt+drag from a point in the scene sets it too.",
+                         .min = -typed::max_speed,
+                         .max = typed::max_speed};
   // kept where all are nailed, so that rows stay in place
   ImGui::BeginDisabled(free.empty());
   const auto value = typed_row(field_of(field, now), panels);
@@ -137,7 +139,7 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
     ImGui::PopID();
   }
   ImGui::PushID("mass");
-  point_row({.label = "Mass", .unit = "kg", .description = "Mass of each selected point.", .min = min_mass, .max = max_mass},
+  point_row({.label = "Mass", .unit = "kg", .description = "Mass of each selected point.", .min = typed::min_mass, .max = typed::max_mass},
             PointProperty::Mass, inspected.parts.mass, inspected, panels, requests);
   ImGui::PopID();
   ImGui::PushID("radius");
@@ -145,7 +147,7 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
              .unit = "m",
              .description = "Radius of the drawn ball; also its contact distance.",
              .min = 0.0,
-             .max = max_length},
+             .max = typed::max_length},
             PointProperty::Radius, inspected.parts.radius, inspected, panels, requests);
   ImGui::PopID();
   nailed_row(inspected, panels, requests);
@@ -170,22 +172,22 @@ struct SpringRow {
   Common<double> AffectedParts::*now;
 };
 constexpr SpringRow spring_table[] = {
-    {{.label = "Stiffness k", .unit = "N/m", .description = "Force per unit of elongation.", .max = max_stiffness},
+    {{.label = "Stiffness k", .unit = "N/m", .description = "Force per unit of elongation.", .max = typed::max_stiffness},
      SpringProperty::Stiffness,
      &AffectedParts::stiffness},
     {{.label = "Damping d",
       .unit = "N s/m",
       .description = "Force along the spring per unit of the relative velocity of its ends.",
-      .max = max_damping},
+      .max = typed::max_damping},
      SpringProperty::Damping,
      &AffectedParts::damping},
-    {{.label = "Rest length", .unit = "m", .description = "Length at which the spring exerts no force.", .max = max_length},
+    {{.label = "Rest length", .unit = "m", .description = "Length at which the spring exerts no force.", .max = typed::max_length},
      SpringProperty::RestLength,
      &AffectedParts::rest_length},
     {{.label = "Breaks at",
       .description = "Strain at which the spring breaks: 0.5 means 50 % longer than its rest length. \"never\" disables breaking.",
       .min = 1e-6,
-      .max = max_strain,
+      .max = typed::max_strain,
       .infinity_text = "never"},
      SpringProperty::BreakStrain,
      &AffectedParts::break_strain},

@@ -15,7 +15,7 @@ struct Column {
   const char* label;
   double (*value)(const Snapshot& now, Index i);
   Command (*edit)(const Snapshot& now, Index i, double value) = nullptr;  // null: cannot be edited
-  double min = -1e6, max = 1e6;
+  double min = -typed::max_length, max = typed::max_length;
 };
 
 Point point_at(const Snapshot& now, Index i) { return now.system->points()[i]; }
@@ -56,7 +56,7 @@ constexpr Column mass = {"mass [kg]", [](const Snapshot& now, Index i) { return 
                          [](const Snapshot& now, Index i, double value) -> Command {
                            return SetPointProperty{PointProperty::Mass, {{point_at(now, i).id, value}}};
                          },
-                         1e-9, 1e9};
+                         typed::min_mass, typed::max_mass};
 
 constexpr Column flat_columns[] = {{"#", number_of},        place<0>("x [m]"),       place<1>("y [m]"),
                                    velocity<0>("vx [m/s]"), velocity<1>("vy [m/s]"), mass};
@@ -70,9 +70,9 @@ constexpr Column spring_columns[] = {
                       Index s) { return glm::distance(now.position(spring_at(now, s).first), now.position(spring_at(now, s).second)); }},
     {"strain", [](const Snapshot& now, Index s) { return strain(*now.system, now.state, spring_at(now, s)); }},
     {"force [N]", [](const Snapshot& now, Index s) { return tension(*now.system, now.state, spring_at(now, s)); }},
-    property<SpringProperty::Stiffness, &Spring::stiffness>("k [N/m]", 1e12),
-    property<SpringProperty::Damping, &Spring::damping>("d [N s/m]", 1e9),
-    property<SpringProperty::RestLength, &Spring::rest_length>("rest length [m]", 1e6),
+    property<SpringProperty::Stiffness, &Spring::stiffness>("k [N/m]", typed::max_stiffness),
+    property<SpringProperty::Damping, &Spring::damping>("d [N s/m]", typed::max_damping),
+    property<SpringProperty::RestLength, &Spring::rest_length>("rest length [m]", typed::max_length),
 };
 
 // Not while a field is being edited: its row would move away.
