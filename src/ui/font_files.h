@@ -18,7 +18,7 @@ inline std::filesystem::path font_file(const char* name) {
 }
 
 // Chinese, Japanese and Korean, of the package fonts-noto-cjk; empty: it is not installed.
-inline std::filesystem::path far_font_file() {
+inline std::filesystem::path cjk_font_file() {
   const std::filesystem::path file = "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc";
   std::error_code error;
   return std::filesystem::is_regular_file(file, error) ? file : std::filesystem::path();

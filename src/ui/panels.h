@@ -191,14 +191,14 @@ struct PlotView {
   bool is_dragged = false;                       // since the mouse was pressed over a plot
   bool shows_spectrum = false;                   // amplitudes over the frequency, of the visible time span
   std::array<std::optional<double>, 2> cursors;  // [s], A and B
-  // [s], over a plot or the timeline, which both mark it; of the next frame
+  // [s], over a plot or the timeline, which both mark it; and the one that the next frame marks
   std::optional<double> time_under_mouse, next_time_under_mouse;
 };
 
 // The table of points or springs, in place of the plots.
 struct PartTable {
   bool is_shown = false, of_springs = false;
-  std::vector<Index> order;  // of the rows
+  std::vector<Index> order;  // the points or springs, row by row
 };
 
 // The menus of the menu bar, and open lists.
@@ -237,6 +237,10 @@ struct TimelineState {
   double run_to = 10.0;            // [s], last time typed
 };
 
+struct ShownPanels {
+  bool keys = false, accuracy = false, comparison = false, result_check = false;
+};
+
 struct Panels {
   ViewOptions view;
   Dialog dialog;
@@ -251,9 +255,7 @@ struct Panels {
   FieldState field;
   Look look = Look::Dark;
   bool panels_hidden = false;  // all but the menu and status bars
-  struct {
-    bool keys = false, accuracy = false, comparison = false, result_check = false;
-  } shown;
+  ShownPanels shown;
   SideState side;
   Ghosts ghosts;
   PlotView plots;

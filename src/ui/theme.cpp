@@ -24,17 +24,17 @@ constexpr ImWchar glyphs[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x0400, 0x04ff, 0x
 constexpr ImWchar missing_glyph = 0x25a1;  // a box
 
 // Chinese, Japanese and Korean characters of the texts so far: a font has too many to load all.
-std::set<ImWchar> far_characters;
-bool far_characters_are_new = false;
+std::set<ImWchar> cjk_characters;
+bool cjk_characters_are_new = false;
 
-void add_far_characters(float pixels) {
+void add_cjk_characters(float pixels) {
   static std::vector<ImWchar> ranges;  // as long as the fonts
   ranges.clear();
-  for (const ImWchar c : far_characters) ranges.insert(ranges.end(), {c, c});
+  for (const ImWchar c : cjk_characters) ranges.insert(ranges.end(), {c, c});
   ranges.push_back(0);
   ImFontConfig config;
   config.MergeMode = true;
-  if (const std::filesystem::path file = far_font_file(); !file.empty() && !far_characters.empty())
+  if (const std::filesystem::path file = cjk_font_file(); !file.empty() && !cjk_characters.empty())
     ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), pixels, &config, ranges.data());
 }
 
@@ -45,7 +45,7 @@ ImFont* load_font(const char* name, double size, double density) {
   if (const std::filesystem::path file = font_file(name); !file.empty())
     if (ImFont* font = io.Fonts->AddFontFromFileTTF(file.c_str(), pixels, nullptr, glyphs)) {
       font->FallbackChar = missing_glyph;
-      add_far_characters(pixels);
+      add_cjk_characters(pixels);
       return font;
     }
   ImFontConfig config;
@@ -143,7 +143,7 @@ Color background_of(Look look) { return look == Look::Dark ? Color{32, 36, 40} :
 void load_theme(double scale, double density) {
   if (palette::text == 0) use_look(Look::Dark);
   current_scale = scale;
-  far_characters_are_new = false;
+  cjk_characters_are_new = false;
   ImGuiIO& io = ImGui::GetIO();
   io.Fonts->Clear();
   io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
@@ -180,15 +180,15 @@ void follow_text(std::string_view text) {
   for (std::size_t i = 0; i + 2 < text.size(); ++i) {
     if ((text[i] & 0xf0) != 0xe0) continue;
     const auto c = static_cast<ImWchar>((text[i] & 0x0f) << 12 | (text[i + 1] & 0x3f) << 6 | (text[i + 2] & 0x3f));
-    if (c >= first) far_characters_are_new = far_characters.insert(c).second || far_characters_are_new;
+    if (c >= first) cjk_characters_are_new = cjk_characters.insert(c).second || cjk_characters_are_new;
   }
 }
 
-bool needs_fonts() { return far_characters_are_new; }
+bool needs_fonts() { return cjk_characters_are_new; }
 
 std::string missing_font() {
-  static bool is_said = false;
-  if (far_characters.empty() || !far_font_file().empty() || std::exchange(is_said, true)) return {};
+  static bool is_reported = false;
+  if (cjk_characters.empty() || !cjk_font_file().empty() || std::exchange(is_reported, true)) return {};
   return "Chinese, Japanese and Korean characters are shown as boxes until the package fonts-noto-cjk is installed";
 }
 

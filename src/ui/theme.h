@@ -34,10 +34,11 @@ struct Fonts {
 // units per design unit; `density`: framebuffer pixels per window unit.
 void load_theme(double scale, double density);
 
-// Text that is shown, whose Chinese, Japanese and Korean characters are loaded by the next `load_theme`, and whether one is due for them.
+// Takes note of the Chinese, Japanese and Korean characters of a text that is shown, for the next `load_theme`; whether some are not
+// loaded.
 void follow_text(std::string_view text);
 bool needs_fonts();
-// What to install for them, once; empty: nothing.
+// What to install for these characters, returned once; empty: nothing.
 std::string missing_font();
 
 const Fonts& fonts();

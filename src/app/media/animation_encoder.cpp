@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -27,7 +28,7 @@ std::string chunk(std::string_view type, std::string_view data) {
   return big_endian(static_cast<std::uint32_t>(data.size())) + content + big_endian(static_cast<std::uint32_t>(sum));
 }
 
-// What differs from the picture before; the rest is transparent, which takes little space.
+// The pixels that differ from the previous picture; the others are transparent, which takes little space.
 Picture changes(const Picture& now, const Picture& before) {
   Picture changed{now.width, now.height, {}, 4};
   changed.pixels.reserve(now.pixels.size() / 3 * 4);
@@ -54,7 +55,7 @@ void AnimationEncoder::add(const Picture& picture, long frames) {
   write_chunk("fcTL", big_endian(sequence_++) + big_endian(static_cast<std::uint32_t>(picture.width)) +
                           big_endian(static_cast<std::uint32_t>(picture.height)) + big_endian(0) + big_endian(0) +
                           big_endian(std::min<std::uint32_t>(delay, 0xffff), 2) + big_endian(1000, 2) + '\0' + '\1');
-  // the data chunks of the picture: of the first one as they are, of the others numbered
+  // the data chunks of the first picture stay as they are; those of the others are numbered
   for (std::size_t at = header_bytes; at + 12 <= png.size();) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(png[at + i])); };
     const std::size_t length = byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);

@@ -22,9 +22,9 @@ class AnimationEncoder {
 
   AtomicFile out_;
   double frame_rate_;
-  Picture shown_;               // of the frame before
-  std::uint32_t pictures_ = 0;  // written
-  std::uint32_t sequence_ = 0;  // number of the next chunk that is counted
+  Picture shown_;               // the previous picture
+  std::uint32_t pictures_ = 0;  // written so far
+  std::uint32_t sequence_ = 0;  // number of the next fcTL or fdAT chunk
 };
 
 }  // namespace hooke

@@ -19,7 +19,7 @@ class TransformHandles {
   void mark(const ToolContext& context, Marks& marks) const;
 
  private:
-  std::shared_ptr<const Snapshot> start_;  // of the drag in progress; null: none
+  std::shared_ptr<const Snapshot> start_;  // at the start of the drag; null: nothing is dragged
   std::vector<PointId> points_;
   glm::dvec2 pressed_at_{0.0};
   bool turns_ = false, has_moved_ = false;
