@@ -34,12 +34,12 @@ void App::perform(Action action, [[maybe_unused]] bool repeated) {
 void App::handle(const Request& request) {
   std::visit(Overloaded{
                  [this](const Edit& edit) {
-                   if (!edit.continues) ++last_gesture_;
-                   lab_.submit(edit.command, last_gesture_);
+                   if (!edit.continues) tool_context_.begin_gesture();
+                   lab_.submit(edit.command, tool_context_.last_gesture);
                  },
                  [this](const Scrub& scrub) {
-                   if (!scrub.continues) ++last_gesture_;
-                   lab_.submit(GoToTime{scrub.time}, last_gesture_);
+                   if (!scrub.continues) tool_context_.begin_gesture();
+                   lab_.submit(GoToTime{scrub.time}, tool_context_.last_gesture);
                  },
                  [this](const Control& control) {
                    if (const auto* accuracy = std::get_if<SetAccuracy>(&control))
@@ -57,13 +57,13 @@ void App::handle(const Request& request) {
                  [this](const CancelWork&) { file_task_.stop(); },
                  [this](const StopComparison&) { work_.comparison.stop(); },
                  [this](const StopResultCheck&) { work_.result_check.stop(); },
-                 [this](const ExplainStretch&) { start_stretch(work_.stretch, status(), selection_.springs); },
+                 [this](const ExplainStretch&) { start_stretch(work_.stretch, status(), tool_context_.selection.springs); },
                  [this](const SaveComparison& save) { save_comparison(save.extension); },
                  [this](const SetGhosts& ghosts) { work_.ghosts.set(ghosts, status(), lab_); },
                  [this](const ShowFailure&) { show_failure(); },
                  [this](const StartExport&) { exporter_.start(); },
                  [this](const StopExport&) { exporter_.stop(); },
-                 [this](const Select& select) { selection_ = select.selection; },
+                 [this](const Select& select) { tool_context_.selection = select.selection; },
                  [this](const StartPlacement& start) { start_placement(start); },
                  [](const CloseDialog&) {},
                  [this](const LoadMesh& load) { placer_.read_mesh(typed_path(load.file)); },
@@ -78,10 +78,10 @@ void App::handle(const Request& request) {
 void App::tune(const Tuning& tuning, TunedBy keys, bool repeated) {
   const auto now = std::chrono::steady_clock::now();
   const bool continues =
-      repeated || (tuned_ && tuned_->keys == keys && tuned_->gesture == last_gesture_ && now - tuned_->at < tuning_pause);
-  if (!continues) ++last_gesture_;
-  tuned_ = {keys, last_gesture_, now};
-  for (const Command& command : tuning.commands) lab_.submit(command, last_gesture_);
+      repeated || (tuned_ && tuned_->keys == keys && tuned_->gesture == tool_context_.last_gesture && now - tuned_->at < tuning_pause);
+  if (!continues) tool_context_.begin_gesture();
+  tuned_ = {keys, tool_context_.last_gesture, now};
+  for (const Command& command : tuning.commands) lab_.submit(command, tool_context_.last_gesture);
   panels_.show_value(tuning.message);
 }
 
@@ -105,8 +105,8 @@ void App::set_start() {
 void App::cancel() {
   panels_.messages.toast.clear();
   if (tool_.cancel()) return;
-  if (!selection_.empty())
-    selection_ = {};
+  if (!tool_context_.selection.empty())
+    tool_context_.selection = {};
   else
     tool_.take(Action::SelectTool);
 }
@@ -150,11 +150,11 @@ void App::save_comparison(const std::string& extension) {
 void App::show_failure() {
   const auto& divergence = status().snapshot->divergence;
   if (!divergence) return;
-  selection_ = {};
+  tool_context_.selection = {};
   if (divergence->spring)
-    selection_.springs = {*divergence->spring};
+    tool_context_.selection.springs = {*divergence->spring};
   else if (divergence->point)
-    selection_.points = {*divergence->point};
+    tool_context_.selection.points = {*divergence->point};
   camera_control_.fly_to_selection();
 }
 

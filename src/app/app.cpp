@@ -23,8 +23,8 @@ std::string history_move(const HistoryList& from, const HistoryList& to) {
 
 App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const Home& home)
     : lab_(*scene),
-      tool_context_{lab_, selection_, last_gesture_, lab_.status(), {}},
-      clipboard_{.put = [this](const std::string& text) { own_clipboard_ = text; }, .take = [this] { return own_clipboard_; }},
+      tool_context_{lab_, lab_.status(), {}},
+      clipboard_{.put = [this](const std::string& text) { clipboard_.own = text; }, .take = [this] { return clipboard_.own; }},
       settings_(home, panels_),
       file_task_(panels_),
       tool_(tool_context_),
@@ -108,7 +108,7 @@ void App::poll_background_work() {
 
 PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
   return {.status = status(),
-          .selection = selection_,
+          .selection = tool_context_.selection,
           .layout = layout_,
           .tool = {tool_buttons(), tool_.action(), tool_.next_step(), tool_.rubber_band(layout_.scene), tool_.stroke()},
           .file = document_.file(),
@@ -129,7 +129,7 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
 }
 
 void App::update_marks() {
-  marks_ = {.selected_points = selection_.points, .selected_springs = selection_.springs};
+  marks_ = {.selected_points = tool_context_.selection.points, .selected_springs = tool_context_.selection.springs};
   const auto& ghosts = status().companions.list;
   for (std::size_t i = 0; i < ghosts.size(); ++i)
     if (ghosts[i].positions) marks_.ghost_networks.push_back({ghosts[i].positions, to_color(ghost_color(i))});
@@ -156,7 +156,7 @@ void App::follow_plots() {
 // Another scene is about to replace the one on screen.
 void App::show(const Scene& scene) {
   tool_.reset();
-  selection_ = {};
+  tool_context_.selection = {};
   panels_.gallery.is_shown = false;
   panels_.side.to_top = true;
   placer_.stop();

@@ -65,7 +65,7 @@ class App {
   Document& document() { return document_; }
   Captures& captures() { return captures_; }
   const Exporter& exporter() const { return exporter_; }
-  const Selection& selection() const { return selection_; }
+  const Selection& selection() const { return tool_context_.selection; }
   Action tool() const { return tool_.action(); }
   // Key handlers, in the order of precedence.
   const KeyHandlers& key_handlers() const { return key_handlers_; }
@@ -85,7 +85,6 @@ class App {
   bool perform_shortcut(const KeyPress& press);
   void drop(const FileDrop& dropped);
   void perform(Action action, bool repeated = false);
-  enum class TunedBy { StiffnessKeys, SubstepKeys, SpeedKeys };
   void tune(const Tuning& tuning, TunedBy keys, bool repeated);
   void start_placement(const StartPlacement& start);
   void set_start();
@@ -108,15 +107,12 @@ class App {
   void finish();
 
   LabThread lab_;
-  Selection selection_;
-  Gesture last_gesture_ = 0;
   std::size_t gas_releases_ = 0;                // announced so far
   std::shared_ptr<const HistoryList> history_;  // of the last frame
   ToolContext tool_context_;
   Panels panels_;
   Layout layout_;
   Marks marks_;
-  std::string own_clipboard_;
   Clipboard clipboard_;
 
   UserSettings settings_;
@@ -135,11 +131,6 @@ class App {
 
   std::vector<PanelKey> panel_keys_;             // for the panels of the next frame
   std::shared_ptr<const Scene> scene_to_frame_;  // the first scene, until the window's size is known
-  struct LastTuning {
-    TunedBy keys;
-    Gesture gesture;
-    std::chrono::steady_clock::time_point at;
-  };
   std::optional<LastTuning> tuned_;
   bool finished_ = false;
 };

@@ -6,7 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <span>
 
-#include "base/bounding_box.h"
+#include "sim/model/bounding_box.h"
 
 namespace hooke {
 namespace {

@@ -7,11 +7,11 @@
 #include <limits>
 #include <string_view>
 
-#include "base/bounding_box.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "base/text_lines.h"
 #include "formats/file_kinds.h"
+#include "sim/model/bounding_box.h"
 
 namespace hooke {
 namespace {

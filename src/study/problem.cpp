@@ -5,8 +5,8 @@
 #include <bit>
 #include <utility>
 
-#include "base/bounding_box.h"
 #include "formats/scene_file.h"
+#include "sim/model/bounding_box.h"
 #include "sim/model/hash.h"
 #include "sim/step/divergence.h"
 #include "study/analytic_scenes.h"

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "base/bounding_box.h"
 #include "edit/copy_selection.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"
+#include "sim/model/bounding_box.h"
 #include "support/apply_now.h"
 #include "support/random_scene.h"
 #include "support/test_sim.h"

@@ -22,15 +22,14 @@ bool wait_for(Condition condition) {
 }
 
 struct ToolFixture {
-  explicit ToolFixture(Scene scene) : lab(std::move(scene)), context{lab, selection, gesture, lab.status(), {}} {
+  explicit ToolFixture(Scene scene) : lab(std::move(scene)), context{lab, lab.status(), {}} {
     context.size = {800.0, 600.0};
     context.camera.distance = 4.0;
   }
 
   LabThread lab;
-  Selection selection;
-  Gesture gesture = 0;
   ToolContext context;
+  Selection& selection = context.selection;
 
   void settle() {
     ASSERT_TRUE(lab.settle(std::chrono::seconds(10)));

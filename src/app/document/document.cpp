@@ -4,7 +4,6 @@
 #include <chrono>
 
 #include "app/document/files.h"
-#include "app/media/film_recorder.h"
 #include "base/folder_listing.h"
 #include "base/printable.h"
 

@@ -79,6 +79,14 @@ std::filesystem::path typed_path(const std::filesystem::path& typed) {
   return resolve_typed_path(typed, std::filesystem::current_path(error));
 }
 
+std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem, const std::string& extension) {
+  std::error_code error;
+  for (int number = 1;; ++number) {
+    std::filesystem::path file = folder / (stem + (number == 1 ? "" : " " + std::to_string(number)) + extension);
+    if (!std::filesystem::exists(file, error)) return file;
+  }
+}
+
 bool is_shipped(const std::filesystem::path& file) {
   const auto& scenes = shipped_scenes();
   return std::ranges::find(scenes, file, &ShippedScene::file) != scenes.end();

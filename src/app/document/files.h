@@ -39,6 +39,9 @@ ChosenTexture try_texture(const std::string& typed, const std::filesystem::path&
 // Resolves a typed path: "~/" is the home folder, the default extension is .json, and relative paths start at the working folder.
 std::filesystem::path typed_path(const std::filesystem::path& typed);
 
+// An unused file name in the folder: "cloth.png", "cloth 2.png", ...
+std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem, const std::string& extension);
+
 bool is_shipped(const std::filesystem::path& file);
 
 }  // namespace hooke

@@ -1,7 +1,6 @@
 // Document: opening and saving.
 #include "app/document/document.h"
 #include "app/document/files.h"
-#include "app/media/film_recorder.h"
 #include "base/folder_listing.h"
 #include "base/number_text.h"
 #include "base/printable.h"

@@ -10,7 +10,6 @@
 #include "app/document/files.h"
 #include "app/edit/placement_part.h"
 #include "base/printable.h"
-#include "edit/copy_selection.h"
 #include "formats/mesh/mesh_cloth.h"
 #include "scene/warnings/warnings.h"
 
@@ -153,11 +152,10 @@ void Placer::place() {
   if (placed.system.point_count() == 0) return panels_.show_toast("Nothing to place yet");
   // in an empty scene, the mesh looks as it does when its file is opened
   if (panels_.placement.is_mesh && context_.system().points().empty()) panels_.view.points = panels_.view.springs = false;
-  LabThread& lab = context_.lab;
   view_before_.reset();
-  Insert insert = make_insert(placed, Vec3(0.0), {[&lab] { return lab.new_point_id(); }, [&lab] { return lab.new_spring_id(); }});
+  Insert insert = make_insert(placed, Vec3(0.0), context_.new_ids());
   insert.contact = contact_of(panels_.placement, placed, context_.system().dimensions == 2);
-  lab.submit(std::move(insert));
+  context_.lab.submit(std::move(insert));
   stop();
 }
 

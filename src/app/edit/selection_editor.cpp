@@ -1,7 +1,7 @@
 #include "app/edit/selection_editor.h"
 
-#include "base/bounding_box.h"
 #include "formats/scene_file.h"
+#include "sim/model/bounding_box.h"
 #include "ui/text.h"
 
 namespace hooke {
@@ -76,7 +76,7 @@ void SelectionEditor::duplicate() {
 
 // Selects what was inserted.
 void SelectionEditor::insert(const Scene& part, const Vec3& displacement) {
-  Insert insert = make_insert(part, displacement, ids());
+  Insert insert = make_insert(part, displacement, context_.new_ids());
   Selection inserted;
   for (const PlacedPoint& placed : insert.points) inserted.points.push_back(placed.point.id);
   for (const PlacedSpring& placed : insert.springs) inserted.springs.push_back(placed.spring.id);
@@ -85,22 +85,17 @@ void SelectionEditor::insert(const Scene& part, const Vec3& displacement) {
   context_.selection = std::move(inserted);
 }
 
-IdSource SelectionEditor::ids() {
-  LabThread& lab = context_.lab;
-  return {[&lab] { return lab.new_point_id(); }, [&lab] { return lab.new_spring_id(); }};
-}
-
 void SelectionEditor::weld() {
   const std::vector<PointId> points = context_.selection.points;
   if (points.size() < 2) return panels_.show_toast("Select the points to weld: two or more");
   const Gesture gesture = context_.begin_gesture();
-  for (Command& command : hooke::weld(context_.snapshot(), points, ids())) context_.lab.submit(std::move(command), gesture);
+  for (Command& command : hooke::weld(context_.snapshot(), points, context_.new_ids())) context_.lab.submit(std::move(command), gesture);
   panels_.show_toast("Welded " + count(static_cast<long>(points.size()), "point"));
   context_.selection = {{points.front()}, {}};
 }
 
 void SelectionEditor::split() {
-  std::vector<Command> commands = hooke::split(context_.snapshot(), context_.selection.points, ids());
+  std::vector<Command> commands = hooke::split(context_.snapshot(), context_.selection.points, context_.new_ids());
   if (commands.empty()) return panels_.show_toast("Nothing to split: select points where springs meet, not of a surface");
   const Gesture gesture = context_.begin_gesture();
   for (Command& command : commands) context_.lab.submit(std::move(command), gesture);

@@ -31,7 +31,6 @@ class SelectionEditor {
   void paste(const Scene& part, const glm::dvec2& place);
   Scene selected_part() const;
   void insert(const Scene& part, const Vec3& displacement);
-  IdSource ids();
 
   ToolContext& context_;
   Panels& panels_;

@@ -76,12 +76,4 @@ std::string FilmRecorder::take_message() {
   return std::exchange(message_, {});
 }
 
-std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem, const std::string& extension) {
-  std::error_code error;
-  for (int number = 1;; ++number) {
-    std::filesystem::path file = folder / (stem + (number == 1 ? "" : " " + std::to_string(number)) + extension);
-    if (!std::filesystem::exists(file, error)) return file;
-  }
-}
-
 }  // namespace hooke

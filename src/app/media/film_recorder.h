@@ -40,7 +40,4 @@ class FilmRecorder {
   std::string message_;
 };
 
-// An unused file name in the folder: "cloth.png", "cloth 2.png", ...
-std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem, const std::string& extension);
-
 }  // namespace hooke

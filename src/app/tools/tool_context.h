@@ -7,9 +7,9 @@
 #include <string>
 
 #include "draw/camera.h"
+#include "edit/copy_selection.h"
 #include "lab/lab_thread.h"
 #include "scene/pick.h"
-#include "scene/selection.h"
 #include "ui/keys.h"
 
 namespace hooke {
@@ -22,10 +22,10 @@ struct Pointer {
 
 struct ToolContext {
   LabThread& lab;
-  Selection& selection;
-  Gesture& last_gesture;
   std::shared_ptr<const Status> status;
   Camera camera;
+  Selection selection{};
+  Gesture last_gesture = 0;
   glm::dvec2 size{1.0};  // [px], size of the scene's view
   double scale = 1.0;    // pixels per unit of design
   bool shows_surface = true;
@@ -67,6 +67,9 @@ struct ToolContext {
   bool is_drag(const glm::dvec2& from, const glm::dvec2& to) const;
 
   Gesture begin_gesture() { return ++last_gesture; }
+  IdSource new_ids() {
+    return {[&from = lab] { return from.new_point_id(); }, [&from = lab] { return from.new_spring_id(); }};
+  }
 };
 
 // The command that removes a collider.

@@ -1,10 +1,11 @@
 // The effect of the arrow keys and brackets: they change stiffness, substeps and speed step by step.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
-#include "edit/command.h"
+#include "edit/history.h"
 #include "lab/status.h"
 #include "scene/selection.h"
 
@@ -13,6 +14,13 @@ namespace hooke {
 struct Tuning {
   std::vector<Command> commands;  // one undo step together
   std::string message;            // the new value: "k = 110 N/m (3 springs)"
+};
+
+enum class TunedBy { StiffnessKeys, SubstepKeys, SpeedKeys };
+struct LastTuning {
+  TunedBy keys;
+  Gesture gesture;
+  std::chrono::steady_clock::time_point at;
 };
 
 // Stiffness of the selected springs, else of all springs; in a scene without springs, of new ones. By a factor of 1.1, or by the step that

@@ -4,10 +4,10 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "base/bounding_box.h"
 #include "base/bounds.h"
 #include "base/printable.h"
 #include "formats/lammps/lammps_model.h"
+#include "sim/model/bounding_box.h"
 
 namespace hooke {
 namespace {

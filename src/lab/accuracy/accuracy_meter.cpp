@@ -5,11 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "base/bounding_box.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "sim/contact/contact.h"
 #include "sim/control/automatic.h"
 #include "sim/forces/energy/energy.h"
+#include "sim/model/bounding_box.h"
 
 namespace hooke {
 namespace {

@@ -6,13 +6,13 @@
 #include <string>
 #include <utility>
 
-#include "base/bounding_box.h"
 #include "base/number_text.h"
 #include "sim/contact/contact.h"
 #include "sim/control/automatic.h"
 #include "sim/forces/energy/energy.h"
 #include "sim/forces/motion.h"
 #include "sim/methods/integrator.h"
+#include "sim/model/bounding_box.h"
 #include "sim/statics/linear_motion.h"
 #include "study/forecast.h"
 

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <utility>
 
-#include "base/bounding_box.h"
 #include "scene/quantity.h"
 #include "scene/step_advice.h"
 #include "sim/control/frame_error.h"
+#include "sim/model/bounding_box.h"
 #include "study/check/copies.h"
 #include "study/check/finer_network.h"
 
