@@ -71,7 +71,7 @@ TraceTable spectrum_of(const TraceTable& table, double first, double last) {
 std::optional<double> peak_of(const TraceTable& spectrum, const std::vector<const Trace*>& traces) {
   // two periods in n of padding * bit_ceil(n) values, which are less than 2 * padding * n
   constexpr std::size_t first = 4 * padding;
-  constexpr double side_lobes = 0.05;  // above those of a Hann window, -31 dB, of the largest amplitude
+  constexpr double side_lobes = 0.1;  // of a drift, whose largest one has 0.075 of its amplitude under a Hann window
   double highest = 0.0;
   for (const Trace* trace : traces) highest = std::max(highest, side_lobes * *std::ranges::max_element(trace->values));
   std::optional<double> frequency;
