@@ -35,13 +35,13 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
   while (true) {
     fill(plan, obstacles, x0, v0, h, motion);
     simulation_.begin(plan.surface, h);
-    const auto is_affordable = [&] { return excess_ + work + simulation_.work() - usual_work(plan.points) <= max_excess; };
+    const auto is_affordable = [&] { return excess_ + work + simulation_.counts().work() - usual_work(plan.points) <= max_excess; };
     bool is_complete = is_within_bounds(plan, x0, h);
     while (is_complete && is_affordable() && simulation_.advance()) is_complete = is_within_bounds(plan, x0, h);
-    motion.counts.contact_tests += simulation_.tests();
-    motion.counts.contact_impulses += simulation_.impulses();
+    motion.counts.contact_tests += simulation_.counts().tests;
+    motion.counts.contact_impulses += simulation_.counts().impulses;
     has_failed_ = !is_affordable();
-    work += simulation_.work();
+    work += simulation_.counts().work();
     if (is_complete && !has_failed_) break;
     if (has_failed_ || (!is_covered(plan, x0) && !find_pairs(plan, x0))) {
       is_involved_.assign(plan.points, 0);
