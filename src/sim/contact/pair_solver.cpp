@@ -185,7 +185,6 @@ bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
 void PairSolver::write(const Plan& plan, double h, Motion& motion) {
-  const auto n = static_cast<std::size_t>(plan.points);
   double impulses = 0.0, speed = 0.0;  // [N s], [m/s]
   work_ = 0.0;
   bool is_held = false;
@@ -196,10 +195,8 @@ void PairSolver::write(const Plan& plan, double h, Motion& motion) {
     const Vec3 v1 = vector_at(plan, motion.v, i), v = path.v - path.velocity_correction;
     work_ += path.contact_work();
     impulses += plan.mass[i] * (glm::length(v - v1) + h * glm::length(path.free_acceleration));
-    for (int c = 0; c < plan.dimensions; ++c) {
-      motion.x[c * n + i] = path.x[c];
-      motion.v[c * n + i] = v[c];
-    }
+    set_vector(plan, motion.x, i, path.x);
+    set_vector(plan, motion.v, i, v);
   }
   if (plan.collider_paths.any_moves)
     for (const Touch& touch : simulation_.touches)

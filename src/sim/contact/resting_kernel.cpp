@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "sim/contact/constants.h"
+#include "sim/contact/contact_work.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/contact/resting_kernel.cpp"
@@ -255,9 +256,8 @@ HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const
   const Lane work = mass * (kinetic - dot(change, minus(x, path.x0)) / same(h));
   store(work, solved, count, points.work + at);
   if (points.supplied != nullptr) {
-    const double speed =
-        std::max(glm::length(obstacle.velocity), glm::length(obstacle.velocity_at(h))) + glm::length(obstacle.velocity_correction);
-    store(same(speed) * mass * (length(minus(v, path.v1)) + length(change)), solved, count, points.supplied + at);
+    store(same(max_surface_speed(obstacle, Vec3(0.0), h)) * mass * (length(minus(v, path.v1)) + length(change)), solved, count,
+          points.supplied + at);
   }
   store_point(block.plan, x, solved, count, block.x, i);
   store_point(block.plan, v, solved, count, block.v, i);

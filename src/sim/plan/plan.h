@@ -218,6 +218,10 @@ inline void add_vector(const Plan& plan, double* field, Index i, const Vec3& vec
 }
 inline void add_vector(const Plan& plan, Field& field, Index i, const Vec3& vector) { add_vector(plan, field.data(), i, vector); }
 
+inline void set_vector(const Plan& plan, Field& field, Index i, const Vec3& vector) {
+  for (int c = 0; c < plan.dimensions; ++c) field[static_cast<std::size_t>(c) * plan.points + i] = vector[c];
+}
+
 // Compiles the structure and the values. O(springs log springs). Points keep their indices.
 Plan make_plan(const System& system);
 
