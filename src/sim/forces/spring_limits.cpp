@@ -120,7 +120,7 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
       const Index s = run.begin + e;
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
       if (!(length >= plan.spring.break_length[s]) || !carries_force(plan, s)) continue;
-      motion.breaks.push_back({plan.spring.index[s], motion.time});
+      ++motion.counts.breaks;
       motion.energy.add(EnergyCause::Breaks, -response_of(plan, s, motion.time, length).of.energy);
       if (LawSprings& laws = plan.spring.laws; !laws.empty() && laws.of_packed[s] != no_index)
         laws.springs[laws.of_packed[s]].stiffness = laws.springs[laws.of_packed[s]].damping = 0.0;
