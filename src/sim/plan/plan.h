@@ -250,5 +250,7 @@ double plausible_reach(const System& system, const Spectrum& spectrum, double ex
 // Gershgorin bounds on M^-1/2 K M^-1/2 by 3x3 blocks: omega^2 <= max_i sum_j k_ij (1/m_i + 1/sqrt(m_i m_j)), the second
 // term absent for a nailed j; the dashpots likewise. `point_speed` [m/s], of the fastest point: for estimates of listed forces.
 Spectrum bound_spectrum(const System& system, double point_speed = 0.0);
+// `prepared` has the listed forces and the pull of the system.
+Spectrum bound_spectrum(const System& system, const Plan& prepared, double point_speed);
 
 }  // namespace hooke
