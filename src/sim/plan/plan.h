@@ -222,6 +222,13 @@ inline void set_vector(const Plan& plan, Field& field, Index i, const Vec3& vect
   for (int c = 0; c < plan.dimensions; ++c) field[static_cast<std::size_t>(c) * plan.points + i] = vector[c];
 }
 
+// For the packed springs in their order: use(first point, second point, packed index).
+template <class Use>
+void for_each_spring(const Plan& plan, const Use& use) {
+  for (const SpringRun& run : plan.spring.runs)
+    for (Index e = 0; e < run.count; ++e) use(run.first + e, run.second + e, run.begin + e);
+}
+
 // Compiles the structure and the values. O(springs log springs). Points keep their indices.
 Plan make_plan(const System& system);
 
