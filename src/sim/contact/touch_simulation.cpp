@@ -200,8 +200,7 @@ void TouchSimulation::recall_loads() {
     const std::array points{touch.point, touch.other};
     const auto load = std::ranges::lower_bound(loads_.last, points, {}, &TouchLoads::Load::points);
     if (load == loads_.last.end() || load->points != points) continue;
-    const double factor = h_ / loads_.last_h;
-    touch.impulse = {factor * load->impulse.normal, factor * tangential(touch.normal, load->impulse.friction)};
+    touch.impulse = load->impulse.scaled(h_ / loads_.last_h, touch.normal);
   }
 }
 

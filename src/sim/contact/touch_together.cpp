@@ -38,7 +38,7 @@ double relax(Touch& touch, std::span<const PointPath> paths, std::span<Vec3> v) 
 void TouchSimulation::solve_impulses(std::span<const std::size_t> together, double tolerance, std::span<Vec3> v) {
   for (const std::size_t t : together) {
     const Touch& touch = touches[t];
-    if (touch.impulse.normal > 0.0) apply(touch, touch.impulse.normal * touch.normal + touch.impulse.friction, paths, v);
+    if (touch.impulse.normal > 0.0) apply(touch, touch.impulse.total(touch.normal), paths, v);
   }
   for (int sweep = 0; sweep < contact::max_sweeps; ++sweep) {
     double change = 0.0;

@@ -24,7 +24,7 @@
 namespace hooke {
 namespace {
 
-// Of the packed springs.
+// Points at the ends of the packed springs.
 std::vector<std::pair<Index, Index>> ends_of_springs(const Plan& plan) {
   std::vector<std::pair<Index, Index>> ends(plan.springs);
   for_each_spring(plan, [&](Index i, Index j, Index s) { ends[s] = {i, j}; });
@@ -64,7 +64,7 @@ class GlobalMatrix final : public Structure {
   }
 
  private:
-  // Of the packed springs, with stiffnesses that no derivative of a force exceeds (of a cubic one up to 100 % strain), and of the points.
+  // For the packed springs, with stiffnesses that no derivative of a force exceeds (of a cubic one up to 100 % strain), and for the points.
   // The hand's pull k |sum w x - target|^2 / 2 is bounded by k sum w x^2 / 2.
   void set_weights(const Plan& plan, double h, double phi) {
     const std::size_t springs = ends_.size();

@@ -81,7 +81,7 @@ struct Descent {
   Field& v;             // V
 };
 
-// The hand's share of the force on a point, and of its derivative.
+// Adds the hand's part of the force on a point, and of its derivative.
 void add_hand(const Descent& step, Index i, Vec3& force, glm::dmat3& stiffness) {
   const PlannedPull& hand = *step.plan.hand.pull;
   for (const auto& [point, weight] : hand.points()) {
