@@ -68,4 +68,22 @@ TraceTable spectrum_of(const TraceTable& table, double first, double last) {
   return spectrum;
 }
 
+std::optional<double> peak_of(const TraceTable& spectrum, const std::vector<const Trace*>& traces) {
+  // two periods in n of padding * bit_ceil(n) values, which are less than 2 * padding * n
+  constexpr std::size_t first = 4 * padding;
+  constexpr double side_lobes = 0.1;  // of a drift, whose largest one has 0.075 of its amplitude under a Hann window
+  double highest = 0.0;
+  for (const Trace* trace : traces) highest = std::max(highest, side_lobes * *std::ranges::max_element(trace->values));
+  std::optional<double> frequency;
+  for (const Trace* trace : traces) {
+    const std::vector<double>& values = trace->values;
+    for (std::size_t k = first; k + 1 < values.size(); ++k) {
+      if (!(values[k] > std::max(highest, values[k - 1]) && values[k] >= values[k + 1])) continue;
+      highest = values[k];
+      frequency = spectrum.times[k];
+    }
+  }
+  return frequency;
+}
+
 }  // namespace hooke

@@ -43,6 +43,17 @@ TEST(Spectrum, HasPeaksAtTheFrequenciesAndAmplitudesOfTheMotion) {
   EXPECT_LT(spectrum.times.back(), 10.0);
 }
 
+// A decay beside an oscillation has the largest amplitudes at frequencies of less than two periods, where no peak is found.
+TEST(Spectrum, NamesThePeakOfTheOscillationAndNotOfADrift) {
+  const TraceTable table = table_of(60.0, 355, [](double t) { return 2.0 * std::exp(-0.3 * t) + 0.1 * std::sin(2.0 * M_PI * 1.15 * t); });
+  const TraceTable spectrum = spectrum_of(table, 0.0, 10.0);
+  const auto peak = peak_of(spectrum, {&spectrum.traces.at(0)});
+  ASSERT_TRUE(peak);
+  EXPECT_NEAR(*peak, 1.15, 0.05);
+  const TraceTable drift = spectrum_of(table_of(60.0, 355, [](double t) { return 2.0 * std::exp(-0.3 * t); }), 0.0, 10.0);
+  EXPECT_FALSE(peak_of(drift, {&drift.traces.at(0)}));
+}
+
 TEST(Spectrum, OfTooFewValuesIsEmpty) {
   EXPECT_TRUE(spectrum_of(table_of(60.0, 5, [](double t) { return t; }), 0.0, 1.0).times.empty());
 }

@@ -58,13 +58,13 @@ void build_arrange(const PanelInput& input, Panels& panels, Requests& requests) 
     }
   if (const auto by = amount("Scale", "", "About the center of the points; rest lengths scale too.", 1.0, 1000.0, panels))
     affine.scale = *by;
-  if (const auto axis = axis_buttons("Mirror", "Reverses this coordinate about the center of the points", dimensions))
+  if (const auto axis = axis_buttons("Mirror", "Reverses this coordinate about the center of the points.", dimensions))
     affine.turn = reflection(*axis);
   std::vector<Command> commands;
   if (affine.turn != glm::dmat3(1.0) || affine.scale != 1.0 || affine.shift != Vec3(0.0)) commands = moved(now, points, affine);
-  if (const auto axis = axis_buttons("Align", "Gives all points the same coordinate, their mean", dimensions))
+  if (const auto axis = axis_buttons("Align", "Gives all points the same coordinate, their mean.", dimensions))
     commands.push_back(aligned(now, points, *axis));
-  if (const auto axis = axis_buttons("Distribute", "Equal distances along this axis, between the outermost points", dimensions))
+  if (const auto axis = axis_buttons("Distribute", "Equal distances along this axis, between the outermost points.", dimensions))
     commands.push_back(distributed(now, points, *axis));
   begin_row("Join");
   if (ImGui::Button("Weld", {units(74.0), 0.0f})) requests.emplace_back(Action::Weld);

@@ -149,12 +149,11 @@ void draw_difference(ImDrawList& list, const TraceTable& table, const Plot& plot
 
 // The highest peak of a spectrum.
 void draw_peak(ImDrawList& list, const TraceTable& table, const Plot& plot, ImVec2 min, ImVec2 max) {
-  double highest = 0.0, frequency = 0.0;
-  for (const auto& [trace, color] : plot.lines)
-    for (std::size_t i = 1; i < table.times.size(); ++i)
-      if (trace->values[i] > highest) highest = trace->values[i], frequency = table.times[i];
-  if (frequency <= 0.0) return;
-  const std::string text = "peak at " + quantity_text(frequency, "Hz") + ", period " + quantity_text(1.0 / frequency, "s");
+  std::vector<const Trace*> traces;
+  for (const auto& [trace, color] : plot.lines) traces.push_back(trace);
+  const auto frequency = peak_of(table, traces);
+  if (!frequency) return;
+  const std::string text = "peak at " + quantity_text(*frequency, "Hz") + ", period " + quantity_text(1.0 / *frequency, "s");
   list.AddText({max.x - ImGui::CalcTextSize(text.c_str()).x - units(8.0), min.y + units(4.0)}, palette::text, text.c_str());
 }
 
