@@ -81,7 +81,7 @@ double EnergyMonitor::modified_difference(const Now& now) {
   const auto modified_energy = now.settings.integrator->modified_energy;
   const double h = now.settings.substep();
   // a large motion is not packed again; it is of another Plan if springs broke, and does not have the place of a held point
-  if (is_large(now.state) && now.motion != nullptr && now.motion->breaks.empty() && !now.plan.hand.held)
+  if (is_large(now.state) && now.motion != nullptr && now.motion->counts.breaks == 0 && !now.plan.hand.held)
     return modified_energy(now.plan, *now.motion, h);
   Motion motion;
   pack(now.plan, now.state, motion);

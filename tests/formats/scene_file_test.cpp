@@ -151,7 +151,7 @@ TEST(SceneFile, SpringsFromOneSurfaceToAnotherAreReportedSinceTheyTouchNothing) 
   };
   const auto touching_springs = [&](const std::string& scene) {
     const auto pieces = plan_surface(parse_scene(scene, "test.json").scene.system).pieces;
-    return std::ranges::count_if(pieces, [](const SurfacePlan::Piece& piece) { return !piece.is_face && !piece.is_sphere(); });
+    return std::ranges::count_if(pieces, [](const SurfacePiece& piece) { return !piece.is_face && !piece.is_sphere(); });
   };
   const std::string both = R"("faces": true, "springs": true)", spring = R"({"points": [0, 3], "stiffness": 1})",
                     other = R"(, {"points": [1, 4], "stiffness": 1})",

@@ -151,7 +151,7 @@ TEST(SurfaceTree, FindsAllPairsWithinReachOnce) {
   for (const double reach : {0.01, 0.3, 10.0}) {
     std::size_t expected = 0;
     for (const Index p : plan.corners)
-      for (const SurfacePlan::Piece& piece : plan.pieces) {
+      for (const SurfacePiece& piece : plan.pieces) {
         const auto& [a, b, c] = piece.points;
         if (!piece.is_face || p == a || p == b || p == c) continue;
         if (closest_points(FeaturePair::PointFace, {x[p], x[a], x[b], x[c]}).distance - plan.radius_of({p, a, b, c}) < reach) ++expected;

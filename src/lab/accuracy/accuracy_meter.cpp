@@ -97,7 +97,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     repetitions_ = 0;
   }
   method_ = settings.integrator;
-  past_.has_broken = past_.has_broken || !motion.breaks.empty();
+  past_.has_broken = past_.has_broken || motion.counts.breaks > 0;
   past_.is_smooth = past_.is_smooth && !touches_ && !ignores_tolerance_ && !past_.has_broken && !plan.hand.held && !plan.hand.pull;
   past_.is_aliased = past_.is_aliased || !resolves_colliders(plan, settings_used(settings, after));
   energy_.add_frame(plan, before, after, motion, energy);
@@ -112,7 +112,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   const bool is_due = is_first || is_impact || is_edited_ ||
                       frames_since_repetition_ >= repetition_period_of(settings.frame_rate, mode_ == AccuracyMode::Full);
   // what a method gains where a spring breaks says nothing of the frames that follow
-  if (is_due && motion.breaks.empty() && (is_impact || !repetition_.is_in_progress())) {
+  if (is_due && motion.counts.breaks == 0 && (is_impact || !repetition_.is_in_progress())) {
     const bool collapses = settings.integrator->stability != Stability::Adaptive && !is_automatic(settings) && can_collapse(system, before);
     collapses_ = collapses && !touches_;
     repetition_.begin(plan, system, settings, before, after, motion.counts.force_evaluations,

@@ -25,9 +25,9 @@ struct Gradient {
   std::uint64_t hash = 0;                               // of the last state of the run
 };
 
-// Of a run of `frames` frames from `start`. It is computed twice, and once backwards; the start of every frame and every substep of one
-// frame are kept. `progress` is called with (done, all) frames. Throws InputError "contact: ..." if anything but springs, dashpots,
-// gravity, drag and nails acts, or with another method than velocity_verlet and runge_kutta4.
+// The gradient of a run of `frames` frames from `start`. The run is computed twice, and once backwards; the start of every frame and every
+// substep of one frame are kept. `progress` is called with (done, all) frames. Throws InputError "contact: ..." if anything but springs,
+// dashpots, gravity, drag and nails acts, or with another method than velocity_verlet and runge_kutta4.
 Gradient compute_gradient(const System& system, const Settings& settings, const State& start, long frames, const SampleWeights& weights,
                           const std::function<void(long, long)>& progress);
 

@@ -85,7 +85,7 @@ void StepAdjoint::pass_acceleration(const Field& x, const Field* v, const Field&
   }
 }
 
-// As decay_dashpots; keeps the difference of the velocities of each spring before it acts.
+// Like decay_dashpots, but keeps the difference of the velocities of each spring before it acts.
 void StepAdjoint::sweep(SweepDirection direction, const Field& x, Field& v, std::vector<Vec3>& before) const {
   for (const auto& [i, j, s] : direction == SweepDirection::Forward ? links_ : reversed_) {
     const Vec3 a = difference_at(plan_, x, j, i), w = before[s] = difference_at(plan_, v, j, i);

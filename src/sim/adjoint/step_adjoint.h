@@ -35,7 +35,7 @@ class StepAdjoint {
   using Back = void (StepAdjoint::*)(const Field& x, const Field& v, const Field& next_x, Adjoint& to);
   static Back find(const Integrator& method);
 
-  // Of steps of h [s].
+  // For steps of h [s].
   StepAdjoint(const Plan& plan, const Integrator& method, double h);
   // Backwards from the state after the step to that before it, (x, v).
   void pass(const Field& x, const Field& v, const Field& next_x, Adjoint& to) { (this->*back_)(x, v, next_x, to); }

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "base/finite.h"
 #include "sim/contact/contact_work.h"
@@ -19,11 +18,9 @@ namespace {
 
 // [J], that moved points out of colliders: the difference of the energy with and without these displacements.
 double push_work(const Plan& plan, ContactWorkspace& before, double h, const Motion& motion) {
-  const auto n = static_cast<std::size_t>(plan.points);
   before.without_push = motion.x;
-  for (std::size_t i = 0; i < n; ++i)
-    for (int c = 0; before.outcome[i] == RestingPoints::Open && c < plan.dimensions; ++c)
-      before.without_push[c * n + i] -= before.push_out[i][c];
+  for (Index i = 0; i < plan.points; ++i)
+    if (before.outcome[i] == RestingPoints::Open) add_vector(plan, before.without_push, i, -before.push_out[i]);
   const double middle = before.time + 0.5 * h;  // as in PowerWork
   return potential_energy(plan, middle, motion.x) - potential_energy(plan, middle, before.without_push);
 }
@@ -60,17 +57,17 @@ class PointPass {
  public:
   struct Touches {
     // [s], since the start of the substep, of the points solved; infinity: none
-    double first_touch = std::numeric_limits<double>::infinity(), first_impact = std::numeric_limits<double>::infinity();
+    double first_touch = never, first_impact = never;
     bool any = false, any_pushed = false;
   };
 
   PointPass(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h)
-      : plan_(plan), obstacles_(obstacles), before_(before), motion_(motion), h_(h), n_(static_cast<std::size_t>(plan.points)) {}
+      : plan_(plan), obstacles_(obstacles), before_(before), motion_(motion), h_(h) {}
 
   static constexpr std::size_t block = RestingPoints::max;
 
   void solve_block(std::size_t number, TouchSimulation& simulation, Touches& touches) const {
-    const std::size_t first = number * block, end = std::min(n_, first + block);
+    const std::size_t first = number * block, end = std::min<std::size_t>(plan_.points, first + block);
     RestingPoints resting{.outcome = before_.outcome.data() + first, .work = before_.work.data() + first};
     if (plan_.collider_paths.any_moves) resting.supplied = before_.supplied.data() + first;
     const char* involved = plan_.pairs.on ? before_.pairs.involved().data() : nullptr;
@@ -109,10 +106,8 @@ class PointPass {
       for (const Obstacle& obstacle : obstacles_) speed = std::max(speed, max_surface_speed(obstacle, x0, h_));
       before_.supplied[i] = speed * plan_.mass[i] * (glm::length(v - v1) + h_ * glm::length(path.free_acceleration));
     }
-    for (int c = 0; c < plan_.dimensions; ++c) {
-      motion_.x[c * n_ + i] = path.x[c];
-      motion_.v[c * n_ + i] = v[c];
-    }
+    set_vector(plan_, motion_.x, i, path.x);
+    set_vector(plan_, motion_.v, i, v);
   }
 
   const Plan& plan_;
@@ -120,13 +115,11 @@ class PointPass {
   ContactWorkspace& before_;
   Motion& motion_;
   double h_;
-  std::size_t n_;
 };
 
 // Points that sticky planes accelerate at the start of the substep. Methods whose velocities lag lead them behind planes that move, by half
 // of what these are accelerated within it, where contact would count as an impact what is none.
 void follow_planes(const Plan& plan, const ContactWorkspace& before, double h, Motion& motion) {
-  const auto n = static_cast<std::size_t>(plan.points);
   for (const StickyContact& contact : plan.force_data.sticky.held) {
     const Index i = contact.point;
     const auto k = static_cast<std::size_t>(contact.collider);
@@ -137,10 +130,8 @@ void follow_planes(const Plan& plan, const ContactWorkspace& before, double h, M
     const double end = before.time + h, height = glm::dot(plane.normal, plane.point + plan.offset_of(k, end)) + plan.radius[i];
     const double distance = height - glm::dot(plane.normal, vector_at(plan, motion.x, i));
     const double speed = glm::dot(plane.normal, plan.velocity_of(k, end) - vector_at(plan, motion.v, i));
-    for (int c = 0; c < plan.dimensions; ++c) {
-      motion.x[c * n + i] += distance * plane.normal[c];
-      motion.v[c * n + i] += speed * plane.normal[c];
-    }
+    add_vector(plan, motion.x, i, distance * plane.normal);
+    add_vector(plan, motion.v, i, speed * plane.normal);
   }
 }
 
@@ -184,7 +175,7 @@ bool resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
 
 bool resolve_all(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
   const std::span<const Obstacle> obstacles = find_obstacles(plan, before.time, h, before.obstacles);
-  before.first_touch = before.first_impact = std::numeric_limits<double>::infinity();
+  before.first_touch = before.first_impact = never;
   if (before.velocity_lag != 0.0 && plan.collider_paths.any_moves) follow_planes(plan, before, h, motion);
   keep_on_planes(plan, before.time + h, motion);
   if (plan.surface.on) before.surface.begin_substep(plan, before.velocity_lag, before.is_limited ? &before.unlimited_v : nullptr, motion);

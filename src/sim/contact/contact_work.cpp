@@ -1,7 +1,6 @@
 #include "sim/contact/contact_work.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace hooke {
@@ -17,13 +16,7 @@ double book_contact_work(double work, const SuppliedWork& bounds, Motion& motion
 }
 
 double held_speed(const Plan& plan, const Motion& motion) {
-  if (!plan.hand.held) return 0.0;
-  double sum = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const double v = motion.v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held];
-    sum += v * v;
-  }
-  return std::sqrt(sum);
+  return plan.hand.held ? glm::length(vector_at(plan, motion.v, *plan.hand.held)) : 0.0;
 }
 
 double max_surface_speed(const Obstacle& obstacle, const Vec3& x, double h) {

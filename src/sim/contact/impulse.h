@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "sim/contact/constants.h"
+#include "sim/contact/gap.h"
 #include "sim/plan/plan.h"
 
 namespace hooke {
@@ -15,6 +16,9 @@ namespace hooke {
 struct ContactImpulse {
   double normal = 0.0;  // not negative
   Vec3 friction{0.0};   // across the normal, at most the coefficient times the above
+  Vec3 total(const Vec3& along) const { return normal * along + friction; }
+  // For a start from what acted along another normal before.
+  ContactImpulse scaled(double factor, const Vec3& along) const { return {factor * normal, factor * tangential(along, friction)}; }
 };
 
 // Sets the normal impulse, and opposes the slip [m/s] as far as friction can; `mass`: [kg], impulse per velocity. Returns the change of the

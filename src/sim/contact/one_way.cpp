@@ -79,7 +79,6 @@ bool follow(const Plan& plan, const Vec3& x0, const Vec3& v0, double radius, dou
 
 bool rebound_from_walls(const Plan& plan, ContactWorkspace& before, double h, Motion& motion) {
   if (plan.one_way.empty()) return false;
-  const auto n = static_cast<std::size_t>(plan.points);
   double work = 0.0;
   bool any = false;
   for (Index i = 0; i < plan.points; ++i) {
@@ -92,10 +91,8 @@ bool rebound_from_walls(const Plan& plan, ContactWorkspace& before, double h, Mo
     any = true;
     // of contact, in addition to that of the forces
     work += plan.mass[i] * (0.5 * (glm::dot(path.v, path.v) - glm::dot(v1, v1)) - glm::dot(path.a, path.x - x1));
-    for (int c = 0; c < plan.dimensions; ++c) {
-      motion.x[c * n + i] = path.x[c];
-      motion.v[c * n + i] = path.v[c];
-    }
+    set_vector(plan, motion.x, i, path.x);
+    set_vector(plan, motion.v, i, path.v);
   }
   if (!any) return false;
   before.first_touch = before.first_impact = 0.0;

@@ -35,13 +35,13 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
   while (true) {
     fill(plan, obstacles, x0, v0, h, motion);
     simulation_.begin(plan.surface, h);
-    const auto is_affordable = [&] { return excess_ + work + simulation_.work() - usual_work(plan.points) <= max_excess; };
+    const auto is_affordable = [&] { return excess_ + work + simulation_.counts().work() - usual_work(plan.points) <= max_excess; };
     bool is_complete = is_within_bounds(plan, x0, h);
     while (is_complete && is_affordable() && simulation_.advance()) is_complete = is_within_bounds(plan, x0, h);
-    motion.counts.contact_tests += simulation_.tests();
-    motion.counts.contact_impulses += simulation_.impulses();
+    motion.counts.contact_tests += simulation_.counts().tests;
+    motion.counts.contact_impulses += simulation_.counts().impulses;
     has_failed_ = !is_affordable();
-    work += simulation_.work();
+    work += simulation_.counts().work();
     if (is_complete && !has_failed_) break;
     if (has_failed_ || (!is_covered(plan, x0) && !find_pairs(plan, x0))) {
       is_involved_.assign(plan.points, 0);
@@ -185,7 +185,6 @@ bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
 void PairSolver::write(const Plan& plan, double h, Motion& motion) {
-  const auto n = static_cast<std::size_t>(plan.points);
   double impulses = 0.0, speed = 0.0;  // [N s], [m/s]
   work_ = 0.0;
   bool is_held = false;
@@ -196,10 +195,8 @@ void PairSolver::write(const Plan& plan, double h, Motion& motion) {
     const Vec3 v1 = vector_at(plan, motion.v, i), v = path.v - path.velocity_correction;
     work_ += path.contact_work();
     impulses += plan.mass[i] * (glm::length(v - v1) + h * glm::length(path.free_acceleration));
-    for (int c = 0; c < plan.dimensions; ++c) {
-      motion.x[c * n + i] = path.x[c];
-      motion.v[c * n + i] = v[c];
-    }
+    set_vector(plan, motion.x, i, path.x);
+    set_vector(plan, motion.v, i, v);
   }
   if (plan.collider_paths.any_moves)
     for (const Touch& touch : simulation_.touches)

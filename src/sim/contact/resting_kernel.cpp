@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "sim/contact/constants.h"
+#include "sim/contact/contact_work.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/contact/resting_kernel.cpp"
@@ -74,23 +75,23 @@ HWY_INLINE Path relative_to(const Obstacle& obstacle, double h, const Path& path
 // 1-norm
 HWY_INLINE Lane size_of(const LaneVec3& a) { return hn::Abs(a.x) + hn::Abs(a.y) + hn::Abs(a.z); }
 
-// Those that certainly stay clear of a shape, which lies behind the tangent plane below their start: paths deviate from the straight line
-// by at most an eighth of h times the change of their velocity. False if a number is not one.
+// Whether points certainly do not touch a shape, which lies behind the tangent plane below their start: paths deviate from the straight
+// line by at most an eighth of h times the change of their velocity. False if a number is NaN.
 template <class Shape>
-HWY_INLINE LaneMask stay_clear_of(const Shape& shape, double h, Lane radius, const Path& path) {
+HWY_INLINE LaneMask is_clear_of_shape(const Shape& shape, double h, Lane radius, const Path& path) {
   const LaneGap gap = lane_gap(shape, radius, path.x0);
   const Lane end = hn::Min(same(0.0), dot(gap.normal, minus(path.x1, path.x0)));
   const Lane bulge = same(0.125 * h) * hn::Abs(dot(gap.normal, minus(path.v1, path.v0)));
   return hn::Gt(gap.distance + end - bulge, tolerance_at(path.x0));
 }
-HWY_INLINE LaneMask stay_clear(const ColliderShape& shape, double h, Lane radius, const Path& path) {
-  if (const auto* plane = std::get_if<Plane>(&shape)) return stay_clear_of(*plane, h, radius, path);
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return stay_clear_of(*sphere, h, radius, path);
-  return stay_clear_of(*std::get_if<Box>(&shape), h, radius, path);
+HWY_INLINE LaneMask is_clear(const ColliderShape& shape, double h, Lane radius, const Path& path) {
+  if (const auto* plane = std::get_if<Plane>(&shape)) return is_clear_of_shape(*plane, h, radius, path);
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return is_clear_of_shape(*sphere, h, radius, path);
+  return is_clear_of_shape(*std::get_if<Box>(&shape), h, radius, path);
 }
-HWY_INLINE LaneMask stay_clear(const Obstacle& obstacle, double h, Lane radius, const Path& path) {
-  if (is_in_place(obstacle)) return stay_clear(obstacle.collider->shape, h, radius, path);
-  return stay_clear(obstacle.collider->shape, h, radius, relative_to(obstacle, h, path));
+HWY_INLINE LaneMask is_clear(const Obstacle& obstacle, double h, Lane radius, const Path& path) {
+  if (is_in_place(obstacle)) return is_clear(obstacle.collider->shape, h, radius, path);
+  return is_clear(obstacle.collider->shape, h, radius, relative_to(obstacle, h, path));
 }
 
 struct Corrected {
@@ -246,8 +247,7 @@ HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const
 
   // not into another obstacle
   for (const Obstacle& other : block.obstacles)
-    if (&other != &obstacle && !hn::AllFalse(d, end.moves))
-      solved = hn::And(solved, stay_clear(other, h, radius, {path.x0, path.v0, x, v}));
+    if (&other != &obstacle && !hn::AllFalse(d, end.moves)) solved = hn::And(solved, is_clear(other, h, radius, {path.x0, path.v0, x, v}));
   if (hn::AllFalse(d, solved)) return solved;
   const LaneVec3 change = minus(path.v1, path.v0);
   const Lane mass = load(block.plan.mass.data() + i, count);
@@ -255,9 +255,8 @@ HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const
   const Lane work = mass * (kinetic - dot(change, minus(x, path.x0)) / same(h));
   store(work, solved, count, points.work + at);
   if (points.supplied != nullptr) {
-    const double speed =
-        std::max(glm::length(obstacle.velocity), glm::length(obstacle.velocity_at(h))) + glm::length(obstacle.velocity_correction);
-    store(same(speed) * mass * (length(minus(v, path.v1)) + length(change)), solved, count, points.supplied + at);
+    store(same(max_surface_speed(obstacle, Vec3(0.0), h)) * mass * (length(minus(v, path.v1)) + length(change)), solved, count,
+          points.supplied + at);
   }
   store_point(block.plan, x, solved, count, block.x, i);
   store_point(block.plan, v, solved, count, block.v, i);
@@ -279,8 +278,7 @@ HWY_INLINE void solve_points(const Block& block, std::size_t i, std::size_t coun
   }
   const LaneMask may_move = hn::Ne(inverse_mass, same(0.0));
   LaneMask open = hn::FirstN(d, 0), several = open, solved = open;
-  const auto touching = [&](const Obstacle& obstacle)
-                            HWY_ATTR { return hn::AndNot(stay_clear(obstacle, block.h, radius, path), may_move); };
+  const auto touching = [&](const Obstacle& obstacle) HWY_ATTR { return hn::AndNot(is_clear(obstacle, block.h, radius, path), may_move); };
   const Obstacle* last = nullptr;  // that any of them touches
   bool is_only = true;
   for (const Obstacle& obstacle : block.obstacles) {

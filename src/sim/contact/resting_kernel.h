@@ -23,7 +23,7 @@ struct RestingPoints {
 };
 
 // Corrects the step of h from (x0, v0) to (x, v) of those of the points `first` .. `end` - 1 that lie on one obstacle at the start, press
-// on it during all of the step, and stay clear of all others. They start with v0 (without friction with u, the velocity of the method's
+// on it during all of the step, and touch no other. They start with v0 (without friction with u, the velocity of the method's
 // path), are supported by N = -(n . a + v^2 / R), and end with
 //   v' = v + h (d - mu N v' / |v'|),    x' = x + h (v + v') / 2 + lag h (v' - v),
 // where d is the acceleration along the surface; what friction stops within the step rests from then on. On a ball, the end is moved along

@@ -12,17 +12,12 @@ void TouchSimulation::reserve_alone(std::size_t obstacles) {
   const std::size_t path_count = obstacles + 1;
   paths.reserve(path_count);
   touches.reserve(obstacles);
-  memory_.now.reserve(obstacles);
-  memory_.last.reserve(obstacles);
+  loads_.now.reserve(obstacles);
+  loads_.last.reserve(obstacles);
   queue_.reserve(obstacles * (contact::max_impacts + 1));
   of_paths_.first.reserve(path_count + 1);
   of_paths_.touches.reserve(2 * obstacles);
-  of_paths_.end.reserve(path_count);
-  together_.touches.reserve(obstacles);
-  together_.of.reserve(2 * obstacles);
-  together_.all.reserve(obstacles);
-  for (auto* list : {&active_, &changed_}) list->reserve(path_count);
-  is_listed_.reserve(path_count);
+  for (auto* list : {&active_, &together_, &changed_}) list->reserve(path_count);
   velocity_.reserve(path_count);
 }
 

@@ -11,7 +11,6 @@
 namespace hooke {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
 // A touch may be at rest if its gap is below this multiple of the distance that the velocity change in the substep covers: that which it
 // covers at the largest speed of approach.
 constexpr double rest_reach = contact::rest_speed + 1.0;
@@ -44,7 +43,7 @@ double TouchSimulation::quiet_speed(const Touch& touch) const {
   // the velocity of an obstacle that moves is known up to the rounding of the time
   constexpr double rounding = 1e-12, rounding_of_time = 1e-9;
   const double first = glm::length(paths[touch.first].v), second = glm::length(paths[touch.second].v);
-  if (is_alone_) return rounding * (velocity_change(touch) + first) + rounding_of_time * (second + paths[touch.second].velocity_change);
+  if (is_alone()) return rounding * (velocity_change(touch) + first) + rounding_of_time * (second + paths[touch.second].velocity_change);
   return contact::quiet_part * velocity_change(touch) + rounding * (first + second);
 }
 
@@ -53,7 +52,7 @@ double TouchSimulation::rest_speed(const Touch& touch, const Gap& gap, const Par
   const double e = touch.restitution;
   if (e == 0.0 || impacts_ > max_impacts()) return never;
   double change = velocity_change(touch);
-  if (is_alone_) {
+  if (is_alone()) {
     const Vec3 along = tangential(gap.normal, path.v), a = paths[touch.first].free_acceleration - paths[touch.second].a;
     change = (h_ - time_) * std::max(0.0, -glm::dot(gap.normal, a) - gap.curvature * glm::dot(along, along));
   }
@@ -61,7 +60,7 @@ double TouchSimulation::rest_speed(const Touch& touch, const Gap& gap, const Par
 }
 
 // The speed of approach at which there is no impact [m/s]. What is near at the start of the substep, and is pushed by an impact during it,
-// waits for the next substep, which settles all of it together.
+// waits for the next substep, which solves for all of it together.
 double TouchSimulation::ignored_speed(const Touch& touch) const {
   return std::max(quiet_speed(touch), touch.waits ? velocity_change(touch) : 0.0);
 }
@@ -102,11 +101,9 @@ void TouchSimulation::add_touch(std::size_t path, std::span<const Obstacle> obst
 
 void TouchSimulation::begin(const SurfacePlan& plan, double h) {
   soft_ = soft_constraint(plan, h);
-  is_alone_ = first_obstacle_ == 1;
   start_ = 0.0;
-  first_impact_ = never;
-  tests_ = impulses_ = 0;
-  any_touched_ = false;
+  first_touch_ = first_impact_ = never;
+  counts_ = {};
   start(h);
 }
 
@@ -114,13 +111,12 @@ void TouchSimulation::start(double h) {
   h_ = h;
   time_ = 0.0;
   impacts_ = 0;
-  changed_.clear();
-  is_listed_.assign(paths.size(), 0);
-  memory_.now.clear();
+  clear_changed();
+  loads_.now.clear();
   separation_.clear();
   find_resting();
   if (!active_.empty()) rest();
-  if (is_alone_) leave_balls();
+  if (is_alone()) leave_balls();
   for (Touch& touch : touches) predict(touch);
   queue_impacts();
 }
@@ -136,36 +132,34 @@ void TouchSimulation::queue_impacts() {
 // What touches, or could within the substep, and does not approach so fast that it bounces.
 void TouchSimulation::find_resting() {
   active_.clear();
-  tests_ += static_cast<long>(touches.size());
+  counts_.tests += static_cast<long>(touches.size());
   for (std::size_t t = 0; t < touches.size(); ++t) {
     Touch& touch = touches[t];
     Parabola path = relative_path(touch, 0.0);
     path.v -= paths[touch.first].velocity_correction - paths[touch.second].velocity_correction;
     const Gap gap = gap_to(shape_of(touch), touch.inflation(), path.x);
     const double change = velocity_change(touch);
-    touch.is_near = gap.distance <= contact_tolerance(path.x) + (is_alone_ ? 0.0 : rest_reach * h_ * change);
+    touch.is_near = gap.distance <= contact_tolerance(path.x) + (is_alone() ? 0.0 : rest_reach * h_ * change);
     if (!touch.is_near) continue;
     const double velocity = glm::dot(gap.normal, path.v), quiet = quiet_speed(touch);
-    if (is_alone_ ? std::abs(velocity) > quiet : velocity < -std::max(quiet, contact::rest_speed * change)) continue;
+    if (is_alone() ? std::abs(velocity) > quiet : velocity < -std::max(quiet, contact::rest_speed * change)) continue;
     touch.normal = gap.normal;
-    touch.gap = is_alone_ ? 0.0 : gap.distance;
+    touch.gap = is_alone() ? 0.0 : gap.distance;
     touch.curvature = gap.curvature;
     touch.is_at_rest = true;
     active_.push_back(t);
   }
 }
 
-// Settles velocity_, of the motion at a time or of the corrections. What then rests on an obstacle does so without rounding.
-void TouchSimulation::settle_velocities(Settled what, double tolerance) {
+// Solves for velocity_, of the motion at a time, or of the corrections if there is none. What then rests on an obstacle does so without
+// rounding.
+void TouchSimulation::solve_velocities(std::optional<double> time, double tolerance) {
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
-    const Vec3 position = paths[touch.first].x - paths[touch.second].x;
-    const Vec3 moved = h_ * (paths[touch.first].v - paths[touch.second].v);
-    touch.surface = what == Settled::Corrections
-                        ? Vec3(0.0)
-                        : relative_surface_velocity(touch, touch.normal, what == Settled::Ends ? position + moved : position);
+    const PointPath &first = paths[touch.first], &second = paths[touch.second];
+    touch.surface = time ? relative_surface_velocity(touch, touch.normal, first.x - second.x + *time * (first.v - second.v)) : Vec3(0.0);
   }
-  settle(touches, active_, tolerance, velocity_);
+  solve_impulses(active_, tolerance, velocity_);
   constexpr double rounding = 1e-12;
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
@@ -195,7 +189,7 @@ void TouchSimulation::separate(double tolerance) {
   }
   if (!any) return;
   separation_.assign(paths.size(), Vec3(0.0));
-  settle(touches, active_, h_ * tolerance, separation_);
+  solve_impulses(active_, h_ * tolerance, separation_);
   change_pushed();
 }
 
@@ -203,9 +197,10 @@ void TouchSimulation::separate(double tolerance) {
 void TouchSimulation::recall_loads() {
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
-    const auto load = std::ranges::lower_bound(memory_.last, std::array{touch.point, touch.other}, {}, &Load::points);
-    if (load == memory_.last.end() || load->points != std::array{touch.point, touch.other}) continue;
-    touch.impulse = {h_ / memory_.last_h * load->impulse.normal, h_ / memory_.last_h * tangential(touch.normal, load->impulse.friction)};
+    const std::array points{touch.point, touch.other};
+    const auto load = std::ranges::lower_bound(loads_.last, points, {}, &TouchLoads::Load::points);
+    if (load == loads_.last.end() || load->points != points) continue;
+    touch.impulse = load->impulse.scaled(h_ / loads_.last_h, touch.normal);
   }
 }
 
@@ -231,17 +226,17 @@ void TouchSimulation::rest() {
   double scale = 0.0;
   for (const std::size_t k : active_) scale = std::max({scale, velocity_change(touches[k]), quiet_speed(touches[k])});
   // what remains of velocities is removed by the forces, and what remains of those moves the points; a point alone is solved exactly
-  const double rough = (is_alone_ ? 1e-14 : contact::quiet_part) * scale, fine = (is_alone_ ? 1e-14 : 1e-2 * contact::quiet_part) * scale;
+  const double rough = (is_alone() ? 1e-14 : contact::quiet_part) * scale, fine = (is_alone() ? 1e-14 : 1e-2 * contact::quiet_part) * scale;
 
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].v - paths[p].velocity_correction;
   for (const std::size_t k : active_) reset(k, -std::max(0.0, touches[k].gap) / h_);
-  settle_velocities(Settled::Starts, rough);
+  solve_velocities(0.0, rough);
   for (const std::size_t p : changed_) paths[p].v = velocity_[p] + paths[p].velocity_correction;
 
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].velocity_correction;
   for (const std::size_t k : active_) reset(k, 0.0);
-  if (is_alone_) leave_corrections();
-  settle_velocities(Settled::Corrections, rough);
+  if (is_alone()) leave_corrections();
+  solve_velocities(std::nullopt, rough);
   for (const std::size_t p : changed_) {
     const Vec3 change = velocity_[p] - paths[p].velocity_correction;
     paths[p].v += change;
@@ -260,32 +255,30 @@ void TouchSimulation::rest() {
   }
   recall_loads();
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].v - paths[p].velocity_correction + h_ * paths[p].a;
-  settle_velocities(Settled::Ends, fine);
+  solve_velocities(h_, fine);
   for (const std::size_t p : changed_) paths[p].a = (velocity_[p] - (paths[p].v - paths[p].velocity_correction)) / h_;
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
-    if (touch.impulse.normal > 0.0) memory_.now.push_back({{touch.point, touch.other}, touch.impulse});
+    if (touch.impulse.normal > 0.0) loads_.now.push_back({{touch.point, touch.other}, touch.impulse});
   }
-  if (!is_alone_) separate(rough);
+  if (!is_alone()) separate(rough);
 }
 
 void TouchSimulation::change(std::size_t path) {
-  if (!any_touched_) first_touch_ = start_ + time_;
-  any_touched_ = true;
-  if (paths[path].inverse_mass == 0.0 || is_listed_[path] != 0) return;
-  paths[path].is_changed = true;
-  is_listed_[path] = 1;
+  first_touch_ = std::min(first_touch_, start_ + time_);
+  if (paths[path].inverse_mass == 0.0 || paths[path].is_listed) return;
+  paths[path].is_changed = paths[path].is_listed = true;
   changed_.push_back(path);
 }
 
 void TouchSimulation::clear_changed() {
-  for (const std::size_t p : changed_) is_listed_[p] = 0;
+  for (const std::size_t p : changed_) paths[p].is_listed = false;
   changed_.clear();
 }
 
 // Sets the time of its next impact.
 void TouchSimulation::predict(Touch& touch) const {
-  ++tests_;
+  ++counts_.tests;
   touch.time = never;
   touch.waits = touch.is_near && impacts_ > 0;
   if (touch.is_at_rest) return;
@@ -312,14 +305,14 @@ bool TouchSimulation::advance() {
   if (queue_.empty() || impacts_ > 2 * max_impacts()) {
     for (PointPath& path : paths) path.advance(h_);
     for (std::size_t p = 0; p < separation_.size(); ++p) paths[p].x += separation_[p];
-    if (is_alone_) follow_balls();
+    if (is_alone()) follow_balls();
     time_ = h_;
     // impacts that are left out, of which there are too many
     for (const auto& left_out : queue_) paths[touches[left_out.touch].first].is_changed = true;
     leave_obstacles();
-    std::ranges::sort(memory_.now, {}, &Load::points);
-    std::swap(memory_.last, memory_.now);
-    memory_.last_h = h_;
+    std::ranges::sort(loads_.now, {}, &TouchLoads::Load::points);
+    std::swap(loads_.last, loads_.now);
+    loads_.last_h = h_;
     return false;
   }
   time_ = queue_.front().time;
@@ -339,7 +332,7 @@ void TouchSimulation::predict_changed() {
       const std::size_t t = of_paths_.touches[k];
       Touch& touch = touches[t];
       // once, if both of its paths changed
-      if (touch.second == p && is_listed_[touch.first] != 0) continue;
+      if (touch.second == p && paths[touch.first].is_listed) continue;
       touch.is_at_rest = false;
       predict(touch);
       if (touch.time > h_) continue;
@@ -349,19 +342,14 @@ void TouchSimulation::predict_changed() {
 }
 
 void TouchSimulation::list_touches_of_paths() {
-  of_paths_.first.assign(paths.size() + 1, 0);
-  const auto visit = [&](auto&& see) {
-    for (std::size_t t = 0; t < touches.size(); ++t) {
-      see(touches[t].first, t);
-      see(touches[t].second, t);
-    }
-  };
-  visit([&](std::size_t p, std::size_t) { ++of_paths_.first[p + 1]; });
-  std::partial_sum(of_paths_.first.begin(), of_paths_.first.end(), of_paths_.first.begin());
-  of_paths_.touches.resize(of_paths_.first.back());
-  std::vector<std::size_t>& end = of_paths_.end;
-  end.assign(of_paths_.first.begin(), of_paths_.first.end() - 1);
-  visit([&](std::size_t p, std::size_t t) { of_paths_.touches[end[p]++] = t; });
+  std::vector<std::size_t>& first = of_paths_.first;
+  first.assign(paths.size() + 1, 0);
+  for (const Touch& touch : touches) ++first[touch.first], ++first[touch.second];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  of_paths_.touches.resize(first.back());
+  // from the end of the touches of each path down to the first
+  for (std::size_t t = touches.size(); t-- > 0;)
+    for (const std::size_t p : {touches[t].first, touches[t].second}) of_paths_.touches[--first[p]] = t;
 }
 
 }  // namespace hooke

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 
 #include "sim/contact/constants.h"
 #include "sim/contact/touch_simulation.h"
@@ -33,18 +32,19 @@ double relax(Touch& touch, std::span<const PointPath> paths, std::span<Vec3> v) 
 
 // Changes the velocities v, one per path, by the impulses of the touches: along the normal the minimum for which no touch is slower than
 // its min_velocity, friction of up to its coefficient times that against the rest of the relative velocity. Impulses are equal and
-// opposite, so that momentum is conserved, and so is angular momentum without friction. Starts from the impulses in `some`, and leaves the
-// result there. Projected Gauss-Seidel, forward and backward in turn, until no relative velocity changes by more than `tolerance` [m/s].
-void TouchSimulation::settle(std::span<Touch> some, std::span<const std::size_t> active, double tolerance, std::span<Vec3> v) {
-  for (const std::size_t t : active) {
-    const Touch& touch = some[t];
-    if (touch.impulse.normal > 0.0) apply(touch, touch.impulse.normal * touch.normal + touch.impulse.friction, paths, v);
+// opposite, so that momentum is conserved, and so is angular momentum without friction. Starts from the impulses of the touches, and leaves
+// the result there. Projected Gauss-Seidel, forward and backward in turn, until no relative velocity changes by more than `tolerance`
+// [m/s].
+void TouchSimulation::solve_impulses(std::span<const std::size_t> together, double tolerance, std::span<Vec3> v) {
+  for (const std::size_t t : together) {
+    const Touch& touch = touches[t];
+    if (touch.impulse.normal > 0.0) apply(touch, touch.impulse.total(touch.normal), paths, v);
   }
   for (int sweep = 0; sweep < contact::max_sweeps; ++sweep) {
     double change = 0.0;
-    impulses_ += static_cast<long>(active.size());
-    for (std::size_t k = 0; k < active.size(); ++k)
-      change = std::max(change, relax(some[active[sweep % 2 == 0 ? k : active.size() - 1 - k]], paths, v));
+    counts_.impulses += static_cast<long>(together.size());
+    for (std::size_t k = 0; k < together.size(); ++k)
+      change = std::max(change, relax(touches[together[sweep % 2 == 0 ? k : together.size() - 1 - k]], paths, v));
     if (!(change > tolerance)) break;
   }
 }
@@ -52,33 +52,31 @@ void TouchSimulation::settle(std::span<Touch> some, std::span<const std::size_t>
 // Finds the impacts that are at the same time, within rounding, as that of a touch, and are linked to it by points that are not nailed.
 void TouchSimulation::find_impacts_with(std::size_t touch) {
   constexpr double near = 1e-6;  // [1], of the substep: more than rounding, before the distance is measured
-  together_.touches.clear();
-  together_.of.assign(1, touch);
+  together_.assign(1, touch);
   if (of_paths_.first.empty()) list_touches_of_paths();
-  for (std::size_t k = 0; k < together_.of.size(); ++k) {
-    Touch& next = touches[together_.of[k]];
+  for (std::size_t k = 0; k < together_.size(); ++k) {
+    Touch& next = touches[together_[k]];
     const Parabola path = relative_path(next, time_);
     const Gap gap = gap_to(shape_of(next), next.inflation(), path.x);
     const double approach = -glm::dot(gap.normal, path.v);
-    if (k == 0) next.time = std::numeric_limits<double>::infinity();
+    if (k == 0) next.time = never;
     if (approach <= ignored_speed(next) || (k > 0 && approach * (next.time - time_) > contact_tolerance(path.x))) {
-      together_.of.erase(together_.of.begin() + static_cast<std::ptrdiff_t>(k--));
+      together_.erase(together_.begin() + static_cast<std::ptrdiff_t>(k--));
       continue;
     }
-    together_.touches.push_back(next);
-    together_.touches.back().normal = gap.normal;
-    if (approach <= rest_speed(next, gap, path)) together_.touches.back().restitution = 0.0;
+    next.normal = gap.normal;
+    next.rebounds = approach > rest_speed(next, gap, path);
     // what does not rebound leaves so slowly that the accelerations bring it back at the end of the substep
-    const double hop = is_alone_ ? 0.0 : std::clamp(-0.5 * (h_ - time_) * glm::dot(gap.normal, path.a), 0.0, std::max(0.0, approach));
-    together_.touches.back().min_velocity = std::max(together_.touches.back().restitution * approach, hop);
-    together_.touches.back().impulse = {};
-    together_.touches.back().surface = relative_surface_velocity(next, gap.normal, path.x);
+    const double hop = is_alone() ? 0.0 : std::clamp(-0.5 * (h_ - time_) * glm::dot(gap.normal, path.a), 0.0, std::max(0.0, approach));
+    next.min_velocity = std::max(next.rebounds ? next.restitution * approach : 0.0, hop);
+    next.impulse = {};
+    next.surface = relative_surface_velocity(next, gap.normal, path.x);
     for (const std::size_t p : {next.first, next.second}) {
       if (paths[p].inverse_mass == 0.0) continue;
       for (std::size_t l = of_paths_.first[p]; l < of_paths_.first[p + 1]; ++l) {
         const std::size_t other = of_paths_.touches[l];
         if (touches[other].time - time_ > near * h_) continue;
-        if (std::ranges::find(together_.of, other) == together_.of.end()) together_.of.push_back(other);
+        if (std::ranges::find(together_, other) == together_.end()) together_.push_back(other);
       }
     }
   }
@@ -86,25 +84,25 @@ void TouchSimulation::find_impacts_with(std::size_t touch) {
 
 // Each leaves with at least its restitution, and as one whose impulse is not negative.
 void TouchSimulation::respond() {
-  if (together_.touches.empty()) return;
+  if (together_.empty()) return;
   velocity_.resize(paths.size());
   double fastest = 0.0;
-  for (const Touch& touch : together_.touches)
-    for (const std::size_t p : {touch.first, touch.second}) {
+  for (const std::size_t t : together_)
+    for (const std::size_t p : {touches[t].first, touches[t].second}) {
       paths[p].advance(time_);
       velocity_[p] = paths[p].v;
       fastest = std::max(fastest, glm::length(paths[p].v));
     }
-  together_.all.resize(together_.touches.size());
-  std::iota(together_.all.begin(), together_.all.end(), 0);
   constexpr double round_off = 1e-15;
-  settle(together_.touches, together_.all, round_off * fastest, velocity_);
+  solve_impulses(together_, round_off * fastest, velocity_);
   first_impact_ = std::min(first_impact_, start_ + time_);
-  for (std::size_t k = 0; k < together_.touches.size(); ++k) {
-    const Touch& touch = together_.touches[k];
-    touches[together_.of[k]].time = std::numeric_limits<double>::infinity();
-    if (touch.restitution == 0.0) remove_correction(touch, touch.normal);
-    if (touch.restitution == 0.0) adhere(touch);
+  for (const std::size_t t : together_) {
+    Touch& touch = touches[t];
+    touch.time = never;
+    if (!touch.rebounds) {
+      remove_correction(touch);
+      adhere(touch);
+    }
     for (const std::size_t p : {touch.first, touch.second}) {
       if (paths[p].inverse_mass != 0.0) paths[p].v = velocity_[p];
       change(p);
@@ -123,10 +121,10 @@ void TouchSimulation::adhere(const Touch& touch) {
 }
 
 // Without a rebound, the corrections of the method's path must not separate them either.
-void TouchSimulation::remove_correction(const Touch& touch, const Vec3& normal) {
+void TouchSimulation::remove_correction(const Touch& touch) {
   PointPath &first = paths[touch.first], &second = paths[touch.second];
   const double weight = first.inverse_mass + second.inverse_mass;
-  const Vec3 correction = -glm::dot(normal, first.velocity_correction - second.velocity_correction) / weight * normal;
+  const Vec3 correction = -glm::dot(touch.normal, first.velocity_correction - second.velocity_correction) / weight * touch.normal;
   first.velocity_correction += first.inverse_mass * correction;
   second.velocity_correction -= second.inverse_mass * correction;
 }

@@ -129,8 +129,7 @@ struct ColoredSpring {
 std::vector<ColoredSpring> springs_of(const Plan& plan) {
   std::vector<ColoredSpring> springs;
   springs.reserve(plan.springs);
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) springs.push_back({run.first + e, run.second + e, run.begin + e});
+  for_each_spring(plan, [&](Index i, Index j, Index s) { springs.push_back({i, j, s}); });
   return springs;
 }
 

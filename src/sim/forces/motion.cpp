@@ -36,7 +36,6 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
   motion.energy = {};
   motion.contact.assign(plan.has_contact() ? size : 0, 0.0);
   motion.local_error = 0.0;
-  motion.breaks.clear();
 }
 
 void unpack(const Plan& plan, const Motion& motion, State& state) {
@@ -59,10 +58,9 @@ void kick(const Plan& plan, const Field& a, double h, Field& v) {
   const Kick<double> kick = kick_over(plan.drag, h);
   if (plan.drag == 0.0) return add_scaled(v.data(), kick.weight, a.data(), v.size());
 
-  Vec3 held{0.0};
-  for (int c = 0; plan.hand.held && c < plan.dimensions; ++c) held[c] = v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held];
+  const Vec3 held = plan.hand.held ? vector_at(plan, v, *plan.hand.held) : Vec3(0.0);
   scale_and_add_scaled(v.data(), kick.decay, kick.weight, a.data(), v.size());
-  for (int c = 0; plan.hand.held && c < plan.dimensions; ++c) v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held] = held[c];
+  if (plan.hand.held) set_vector(plan, v, *plan.hand.held, held);
 }
 
 }  // namespace

@@ -13,12 +13,6 @@
 
 namespace hooke {
 
-// A spring that broke.
-struct BrokenSpring {
-  Index spring = 0;   // in the System
-  double time = 0.0;  // [s]
-};
-
 // What was done since the start of the frame.
 struct StepCounts {
   long force_evaluations = 0;
@@ -27,6 +21,7 @@ struct StepCounts {
   long sweeps = 0;              // over all springs as constraints
   long dashpot_sweeps = 0;      // over all dashpots
   long limit_sweeps = 0;        // over all springs, to limit their strain
+  long breaks = 0;              // of springs
   long unconverged_solves = 0;  // nonlinear systems that reached the iteration limit
   // of contact of points, faces and springs with each other: pairs that were examined, on paths once for each distance, and impulses
   // between two, those of each sweep
@@ -46,10 +41,9 @@ struct Motion {
   StepCounts counts;
   // at the start of the frame: edges that pass through faces, in flat scenes springs through each other, of those that contact keeps apart
   long crossings = 0;
-  EnergyLedger energy;               // of drag and dashpots only as far as PowerWork measures them
-  Field contact;                     // [N s], by contact on each point since the start of the frame; empty: nothing can touch
-  double local_error = 0.0;          // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
-  std::vector<BrokenSpring> breaks;  // in the order in which they broke
+  EnergyLedger energy;       // of drag and dashpots only as far as PowerWork measures them
+  Field contact;             // [N s], by contact on each point since the start of the frame; empty: nothing can touch
+  double local_error = 0.0;  // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
 };
 
 // What a method derives from the Plan's structure alone (an order of springs, a symbolic factorization). It outlives the frame

@@ -71,7 +71,7 @@ bool limit_all_springs(const Plan& plan, Motion& motion) {
 // Where springs cannot be as short as they must be, because nails, the hand or other springs keep their ends apart, forces would accelerate
 // points that the limit moves back again and again, and supply energy without end. The ends of such springs move together instead.
 void stop_overlong_springs(const Plan& plan, Motion& motion) {
-  const auto stop = [&](Index spring, Index first, Index second) {
+  const auto stop = [&](Index first, Index second, Index spring) {
     const double length = std::sqrt(squared_length(plan, motion.x, first, second)), w1 = plan.inverse_mass[first],
                  w2 = plan.inverse_mass[second];
     if (!(length > max_conserving_ratio * plan.spring.max_length[spring]) || !std::isfinite(length) || w1 + w2 == 0.0) return;
@@ -79,10 +79,9 @@ void stop_overlong_springs(const Plan& plan, Motion& motion) {
     add_vector(plan, motion.v, first, w1 * impulse);
     add_vector(plan, motion.v, second, -w2 * impulse);
   };
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) stop(run.begin + e, run.first + e, run.second + e);
+  for_each_spring(plan, stop);
   for (auto run = plan.spring.runs.rbegin(); run != plan.spring.runs.rend(); ++run)
-    for (Index e = run->count; e-- > 0;) stop(run->begin + e, run->first + e, run->second + e);
+    for (Index e = run->count; e-- > 0;) stop(run->first + e, run->second + e, run->begin + e);
 }
 
 // [m/s], of the ends of a spring of this length, which is not 0.
@@ -101,14 +100,13 @@ bool carries_force(const Plan& plan, Index spring) {
 double time_to_break(const Plan& plan, const Motion& motion) {
   double min = std::numeric_limits<double>::infinity();
   if (plan.spring.break_length.empty()) return min;
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const double limit = plan.spring.break_length[run.begin + e];
-      const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
-      if (!std::isfinite(limit) || !carries_force(plan, run.begin + e) || !(length < limit) || length == 0.0) continue;
-      const double speed = separation_speed(plan, motion, run.first + e, run.second + e, length);
-      if (speed > 0.0) min = std::min(min, (limit - length) / speed);
-    }
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    const double limit = plan.spring.break_length[s];
+    const double length = std::sqrt(squared_length(plan, motion.x, i, j));
+    if (!std::isfinite(limit) || !carries_force(plan, s) || !(length < limit) || length == 0.0) return;
+    const double speed = separation_speed(plan, motion, i, j, length);
+    if (speed > 0.0) min = std::min(min, (limit - length) / speed);
+  });
   return min;
 }
 
@@ -120,7 +118,7 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
       const Index s = run.begin + e;
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
       if (!(length >= plan.spring.break_length[s]) || !carries_force(plan, s)) continue;
-      motion.breaks.push_back({plan.spring.index[s], motion.time});
+      ++motion.counts.breaks;
       motion.energy.add(EnergyCause::Breaks, -response_of(plan, s, motion.time, length).of.energy);
       if (LawSprings& laws = plan.spring.laws; !laws.empty() && laws.of_packed[s] != no_index)
         laws.springs[laws.of_packed[s]].stiffness = laws.springs[laws.of_packed[s]].damping = 0.0;

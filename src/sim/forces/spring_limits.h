@@ -12,8 +12,8 @@ bool carries_force(const Plan& plan, Index spring);
 double time_to_break(const Plan& plan, const Motion& motion);
 
 // Sets k and d of the packed springs at least as long as plan.spring.break_length to zero, and adds their indices in the System to
-// `broken`, which stays in ascending order. Adds the loss of their elastic energy to the energy ledger, and lists them in motion.breaks.
-// Returns whether any broke.
+// `broken`, which is kept in ascending order. Adds the loss of their elastic energy to the energy ledger, and counts them. Returns whether
+// any broke.
 bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken);
 
 // Shortens springs longer than plan.spring.max_length, one after another in several rounds, by moving both ends in proportion to their

@@ -22,23 +22,21 @@ struct SpringTangent {
 // it is null. `use` may treat both ends as free if its contribution to an end that is not free is ignored.
 template <class Use>
 void for_each_spring_tangent(const Plan& plan, double time, const Field& x, const Field* v, Curvature curvature, const Use& use) {
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Index i = run.first + e, j = run.second + e, s = run.begin + e;
-      if (plan.inverse_mass[i] == 0.0 && plan.inverse_mass[j] == 0.0) continue;
-      SpringTangent tangent{.u = difference_at(plan, x, j, i)};
-      const double length = glm::length(tangent.u);
-      const auto [of, damping] = response_of(plan, s, time, length);
-      tangent.axial = tangent.transverse = of.stiffness;
-      if (length > 0.0) {
-        tangent.u /= length;
-        tangent.damping = damping;
-        const double speed = v != nullptr ? glm::dot(tangent.u, difference_at(plan, *v, j, i)) : 0.0;
-        tangent.transverse = (of.tension + damping * speed) / length;
-        if (curvature == Curvature::Clamped) tangent.transverse = std::max(0.0, tangent.transverse);
-      }
-      use(i, j, s, tangent);
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    if (plan.inverse_mass[i] == 0.0 && plan.inverse_mass[j] == 0.0) return;
+    SpringTangent tangent{.u = difference_at(plan, x, j, i)};
+    const double length = glm::length(tangent.u);
+    const auto [of, damping] = response_of(plan, s, time, length);
+    tangent.axial = tangent.transverse = of.stiffness;
+    if (length > 0.0) {
+      tangent.u /= length;
+      tangent.damping = damping;
+      const double speed = v != nullptr ? glm::dot(tangent.u, difference_at(plan, *v, j, i)) : 0.0;
+      tangent.transverse = (of.tension + damping * speed) / length;
+      if (curvature == Curvature::Clamped) tangent.transverse = std::max(0.0, tangent.transverse);
     }
+    use(i, j, s, tangent);
+  });
 }
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// Of methods that solve a linear spring on a nail exactly, and take listed forces at the start of the step:
+// The amplification of methods that solve a linear spring on a nail exactly, and take listed forces at the start of the step:
 //   x' = x + h v',  v' = ((E - phi q) v - phi omega^2 x) / (1 + phi (h omega^2 + lambda))
 #pragma once
 

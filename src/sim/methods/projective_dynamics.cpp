@@ -24,11 +24,10 @@
 namespace hooke {
 namespace {
 
-// Of the packed springs.
+// Points at the ends of the packed springs.
 std::vector<std::pair<Index, Index>> ends_of_springs(const Plan& plan) {
   std::vector<std::pair<Index, Index>> ends(plan.springs);
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) ends[run.begin + e] = {run.first + e, run.second + e};
+  for_each_spring(plan, [&](Index i, Index j, Index s) { ends[s] = {i, j}; });
   return ends;
 }
 
@@ -65,7 +64,7 @@ class GlobalMatrix final : public Structure {
   }
 
  private:
-  // Of the packed springs, with stiffnesses that no derivative of a force exceeds (of a cubic one up to 100 % strain), and of the points.
+  // For the packed springs, with stiffnesses that no derivative of a force exceeds (of a cubic one up to 100 % strain), and for the points.
   // The hand's pull k |sum w x - target|^2 / 2 is bounded by k sum w x^2 / 2.
   void set_weights(const Plan& plan, double h, double phi) {
     const std::size_t springs = ends_.size();
@@ -102,14 +101,12 @@ void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) 
 
 // E v, and v0 in `target`.
 void predict(const Plan& plan, Motion& motion, double h, Field& target) {
-  const auto [decay, phi] = kick_over(plan.drag, h);
   std::ranges::fill(motion.a, 0.0);
-  if (!plan.forces.empty()) add_force_terms(plan, motion.time, motion.x, motion.v, motion.a);
+  add_force_terms(plan, motion.time, motion.x, motion.v, motion.a);
   divide_by_mass(plan, motion.a);
-  for (std::size_t at = 0; at < target.size(); ++at) {
-    if (plan.inverse_mass[at % plan.points] != 0.0) motion.v[at] *= decay;
-    target[at] = motion.v[at] + phi * motion.a[at];
-  }
+  predict_velocity(plan, motion, h, target);
+  std::ranges::fill(motion.a, 0.0);
+  kick(plan, motion, h);
   motion.acceleration_is_current = false;
 }
 

@@ -46,11 +46,10 @@ class PointColors final : public Structure {
 
 PointColors::PointColors(const Plan& plan) : Structure(plan), begin_(plan.points + 1, 0), order_(plan.points) {
   const auto for_each = [&](const auto& use) {
-    for (const SpringRun& run : plan.spring.runs)
-      for (Index e = 0; e < run.count; ++e) {
-        use(run.first + e, Spring{run.second + e, run.begin + e});
-        use(run.second + e, Spring{run.first + e, run.begin + e});
-      }
+    for_each_spring(plan, [&](Index i, Index j, Index s) {
+      use(i, Spring{j, s});
+      use(j, Spring{i, s});
+    });
   };
   for_each([&](Index point, const Spring&) { ++begin_[point + 1]; });
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
@@ -82,7 +81,7 @@ struct Descent {
   Field& v;             // V
 };
 
-// The hand's share of the force on a point, and of its derivative.
+// Adds the hand's part of the force on a point, and of its derivative.
 void add_hand(const Descent& step, Index i, Vec3& force, glm::dmat3& stiffness) {
   const PlannedPull& hand = *step.plan.hand.pull;
   for (const auto& [point, weight] : hand.points()) {

@@ -1,14 +1,11 @@
 #include "sim/plan/plan.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
 
 #include "sim/model/grab.h"
-#include "sim/model/portable_math.h"
 #include "sim/model/state.h"
-#include "sim/plan/spectrum_rows.h"
 #include "sim/plan/spring_runs.h"
 
 namespace hooke {
@@ -126,9 +123,6 @@ void plan_forces(Plan& plan, const System& system) {
     if (force.term->prepare != nullptr) force.term->prepare(system, plan);
 }
 
-// `prepared` has the forces of the system.
-Spectrum bound_spectrum(const System& system, const Plan& prepared, double point_speed);
-
 PlannedPull plan_pull(const System& system, const Grab& grab) {
   PlannedPull pull{.stiffness = grab.stiffness};
   pull.parts[0].point = system.index_of(grab.point);
@@ -151,17 +145,6 @@ void set_held_point(Plan& plan, const System& system, std::optional<Index> point
     for (const auto& [held_end, other_end] : {std::pair{run.first, run.second}, std::pair{run.second, run.first}})
       if (const Index e = *plan.hand.held - held_end; e >= 0 && e < run.count)
         plan.hand.held_springs.push_back({run.begin + e, other_end + e});
-}
-
-// Contribution of the pull to the rows of the free points: K_ij = k w_i w_j I, w the weights.
-void add_pull_rows(const System& system, std::vector<double>& row) {
-  const PlannedPull pull = plan_pull(system, *system.grab);
-  for (const auto& [i, weight] : pull.points())
-    for (const auto& [j, other] : pull.points()) {
-      const Point &at = system.points()[i], &other_point = system.points()[j];
-      if (at.nailed || other_point.nailed) continue;
-      row[i] += pull.stiffness * weight * other / (i == j ? at.mass : std::sqrt(at.mass * other_point.mass));
-    }
 }
 
 }  // namespace
@@ -266,94 +249,12 @@ void prepare_hand(Plan& plan, const System& system, const State& state, double d
   if (state.hand.collider) plan_carried_collider(plan, system, state, duration);
 }
 
-namespace {
-
-// The maximum distance of the surface of a collider from the origin [m], and the speed of its surface [m/s].
-struct ColliderReach {
-  double distance = 0.0, speed = 0.0;
-};
-ColliderReach reach_of(const Collider& collider) {
-  ColliderReach reach{.distance = glm::length(anchor_of(collider)) + glm::length(collider.path.amplitude)};
-  double radius = 1.0;
-  if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) radius = sphere->radius;
-  if (const auto* box = std::get_if<Box>(&collider.shape)) radius = 0.5 * glm::length(box->max - box->min);
-  reach.distance += radius;
-  constexpr double two_pi = 6.283185307179586;
-  reach.speed = two_pi * collider.path.frequency * glm::length(collider.path.amplitude) + glm::length(collider.path.belt) +
-                radius * glm::length(collider.path.spin);
-  return reach;
-}
-
-}  // namespace
-
-double plausible_reach(const System& system, const Spectrum& spectrum, double extent, double speed, double time) {
-  double acceleration = glm::length(system.gravity);
-  for (const Spring& spring : system.springs()) extent = std::max(extent, system.rest_length_of(spring, time));
-  for (const Collider& collider : system.colliders) {
-    if (!collider.solid) continue;
-    const ColliderReach reach = reach_of(collider);
-    extent = std::max(extent, reach.distance);
-    speed += reach.speed;
-  }
-  acceleration += spectrum.force_acceleration;
-  speed += glm::length(system.wind) + system.hand_speed + spectrum.force_speed + spectrum.omega * extent;
-  if (!std::isfinite(acceleration)) {
-    // A repulsion that increases with the distance leads away exponentially if its derivative is bounded. Otherwise it leads anywhere
-    // within a short time, and no method follows it there.
-    if (spectrum.is_bounded) return reach_margin * (extent + time * speed) * portable::exp(spectrum.omega * time);
-    return std::max(1e9, 1e12 * (extent + time * speed));
-  }
-  return reach_margin * (extent + time * (speed + time * acceleration));
-}
-
 Spectrum bound_spectrum(const System& system, double point_speed) {
   Plan prepared;
   plan_forces(prepared, system);
+  if (system.grab && system.grab->kind == GrabKind::Pull) prepared.hand.pull = plan_pull(system, *system.grab);
   return bound_spectrum(system, prepared, point_speed);
 }
-
-namespace {
-
-Spectrum bound_spectrum(const System& system, const Plan& prepared, double point_speed) {
-  SpectrumRows rows = spectrum_rows(system);
-  double min_ratio = std::numeric_limits<double>::infinity();
-  for (const Spring& spring : system.springs()) {
-    const bool is_fixed = system.points()[system.index_of(spring.first)].nailed && system.points()[system.index_of(spring.second)].nailed;
-    const double stiffness = system.stiffness_bound_of(spring);
-    if (!is_fixed && stiffness > 0.0) min_ratio = std::min(min_ratio, system.damping_of(spring) / stiffness);
-  }
-  if (system.grab && system.grab->kind == GrabKind::Pull) add_pull_rows(system, rows.stiffness);
-
-  Spectrum spectrum;
-  for (std::size_t i = 0; i < rows.stiffness.size(); ++i) {
-    spectrum.omega = std::max(spectrum.omega, rows.stiffness[i]);
-    spectrum.dashpot_rate = std::max(spectrum.dashpot_rate, rows.dashpot[i]);
-  }
-  // eigenvalues of a sum of symmetric matrices are at most the sum of theirs
-  double force_stiffness = 0.0, estimated_stiffness = 0.0, omitted_stiffness = 0.0;
-  for (const Force& force : prepared.forces) {
-    const ForceBound bound = force.term->bound(system, prepared, force.values, point_speed);
-    spectrum.force_acceleration += bound.acceleration;
-    spectrum.force_speed += bound.speed;
-    spectrum.is_bounded = spectrum.is_bounded && std::isfinite(bound.stiffness) && std::isfinite(bound.rate);
-    if (std::isfinite(bound.stiffness)) force_stiffness += bound.stiffness;
-    if (std::isfinite(bound.rate)) spectrum.force_rate += bound.rate;
-    estimated_stiffness += bound.estimated_stiffness;
-    spectrum.estimated_rate += bound.estimated_rate;
-    omitted_stiffness += bound.omitted_stiffness;
-  }
-  spectrum.estimated_omega = std::sqrt(estimated_stiffness);
-  spectrum.omitted_omega = std::sqrt(omitted_stiffness);
-  spectrum.force_omega = std::sqrt(force_stiffness);
-  spectrum.omega = std::sqrt(spectrum.omega + force_stiffness);
-  spectrum.drag_rate = system.drag_rate();
-  spectrum.contact = has_contact(system);
-  spectrum.points_touch = system.contact.points;
-  spectrum.min_dashpot_ratio = std::isfinite(min_ratio) ? min_ratio : 0.0;
-  return spectrum;
-}
-
-}  // namespace
 
 Vec3 Plan::offset_of(std::size_t collider, double time) const {
   const Vec3 offset = colliders[collider].path.offset(time);

@@ -218,6 +218,17 @@ inline void add_vector(const Plan& plan, double* field, Index i, const Vec3& vec
 }
 inline void add_vector(const Plan& plan, Field& field, Index i, const Vec3& vector) { add_vector(plan, field.data(), i, vector); }
 
+inline void set_vector(const Plan& plan, Field& field, Index i, const Vec3& vector) {
+  for (int c = 0; c < plan.dimensions; ++c) field[static_cast<std::size_t>(c) * plan.points + i] = vector[c];
+}
+
+// For the packed springs in their order: use(first point, second point, packed index).
+template <class Use>
+void for_each_spring(const Plan& plan, const Use& use) {
+  for (const SpringRun& run : plan.spring.runs)
+    for (Index e = 0; e < run.count; ++e) use(run.first + e, run.second + e, run.begin + e);
+}
+
 // Compiles the structure and the values. O(springs log springs). Points keep their indices.
 Plan make_plan(const System& system);
 
@@ -246,5 +257,7 @@ double plausible_reach(const System& system, const Spectrum& spectrum, double ex
 // Gershgorin bounds on M^-1/2 K M^-1/2 by 3x3 blocks: omega^2 <= max_i sum_j k_ij (1/m_i + 1/sqrt(m_i m_j)), the second
 // term absent for a nailed j; the dashpots likewise. `point_speed` [m/s], of the fastest point: for estimates of listed forces.
 Spectrum bound_spectrum(const System& system, double point_speed = 0.0);
+// `prepared` has the listed forces and the pull of the system.
+Spectrum bound_spectrum(const System& system, const Plan& prepared, double point_speed);
 
 }  // namespace hooke

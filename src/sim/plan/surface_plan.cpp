@@ -95,7 +95,7 @@ class SurfacePlanner {
 
   void find_corners() {
     std::vector<char> has_owner(plan_.points.size(), 0);
-    for (SurfacePlan::Piece& piece : plan_.pieces) {
+    for (SurfacePiece& piece : plan_.pieces) {
       piece.first_corner = static_cast<Index>(plan_.corners.size());
       for (const Index i : piece.points) {
         if (has_owner[i]) continue;
@@ -114,7 +114,7 @@ class SurfacePlanner {
     };
     std::vector<Side> sides;
     for (std::size_t p = 0; p < plan_.pieces.size(); ++p) {
-      const SurfacePlan::Piece& piece = plan_.pieces[p];
+      const SurfacePiece& piece = plan_.pieces[p];
       for (int c = 0; c < (piece.is_face ? 3 : 1); ++c)
         sides.push_back({edge_ends(piece.points[c], piece.points[(c + 1) % 3]), static_cast<Index>(p)});
     }
@@ -134,7 +134,7 @@ class SurfacePlanner {
   }
 
   void find_owned() {
-    for (SurfacePlan::Piece& piece : plan_.pieces) {
+    for (SurfacePiece& piece : plan_.pieces) {
       if (!piece.is_face) continue;
       const auto has = [](const auto& list, Index first, Index end, const auto& value) {
         return std::find(list.begin() + first, list.begin() + end, value) != list.begin() + end;
@@ -151,7 +151,7 @@ class SurfacePlanner {
   double rest_length(Index i, Index j) const { return rest_.between(plan_.points[i], plan_.points[j]); }
 
   // The smallest height of a face, or the length of a spring [m]; 0: not known, or flat.
-  double height_of(const SurfacePlan::Piece& piece) const {
+  double height_of(const SurfacePiece& piece) const {
     const double a = rest_length(piece.points[0], piece.points[1]);
     if (!piece.is_face) return a;
     const double b = rest_length(piece.points[1], piece.points[2]), c = rest_length(piece.points[2], piece.points[0]);
@@ -162,12 +162,12 @@ class SurfacePlanner {
   void find_thickness() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<double> height(plan_.points.size(), infinity);
-    for (const SurfacePlan::Piece& piece : plan_.pieces) {
+    for (const SurfacePiece& piece : plan_.pieces) {
       const double at_rest = height_of(piece);
       if (at_rest > 0.0)
         for (const Index i : piece.points) height[i] = std::min(height[i], at_rest);
     }
-    for (const SurfacePlan::Piece& piece : plan_.pieces)
+    for (const SurfacePiece& piece : plan_.pieces)
       if (piece.is_sphere()) height[piece.points[0]] = 0.0;
     for (const double at_rest : height) {
       if (at_rest == 0.0) {

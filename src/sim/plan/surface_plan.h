@@ -10,19 +10,19 @@
 
 namespace hooke {
 
+// A face, with the points and edges that no face before it has; or a spring that is not on a face, in the same way; or a sphere, a point
+// on no spring or face, whose edge joins it to itself.
+struct SurfacePiece {
+  std::array<Index, 3> points{};  // of a spring: the third is the first; of a sphere: all are the same
+  bool is_face = true;
+  bool is_sphere() const { return !is_face && points[0] == points[1]; }
+  Index first_edge = 0, end_edge = 0;      // of its own ones
+  Index first_corner = 0, end_corner = 0;  // of its own ones
+  unsigned char owned = 0;                 // of a face: bits of its own sides, and of its own corners from bit 3 on
+};
+
 // Indices of points refer to `points`, those of pieces, edges and corners to the lists below.
 struct SurfacePlan {
-  // A face, with the points and edges that no face before it has; or a spring that is not on a face, in the same way; or a sphere, a point
-  // on no spring or face, whose edge joins it to itself.
-  struct Piece {
-    std::array<Index, 3> points{};  // of a spring: the third is the first; of a sphere: all are the same
-    bool is_face = true;
-    bool is_sphere() const { return !is_face && points[0] == points[1]; }
-    Index first_edge = 0, end_edge = 0;      // of its own ones
-    Index first_corner = 0, end_corner = 0;  // of its own ones
-    unsigned char owned = 0;                 // of a face: bits of its own sides, and of its own corners from bit 3 on
-  };
-
   bool on = false;
   double friction = 0.0;          // [1]
   double restitution = 0.0;       // [1]
@@ -33,7 +33,7 @@ struct SurfacePlan {
   std::vector<double> radius;     // [m], per point, of spheres, which touch at that in addition; 0 of others. Empty: there are no spheres
   double max_thickness = 0.0;     // [m]
   double edge_length = 0.0;       // [m], mean at rest, of springs on the edges; 0: there are none
-  std::vector<Piece> pieces;      // faces, then springs, then spheres
+  std::vector<SurfacePiece> pieces;  // faces, then springs, then spheres
   std::vector<EdgeEnds> edges;
   std::vector<char> is_spring;  // per edge, whether it is on no face
   std::vector<Index> corners;   // every point once

@@ -34,7 +34,7 @@ HandMotion move_hand(const Plan& plan, const System& system, const State& state,
   hand.speed = (glm::length(displacement) + glm::length(hand.collider_displacement)) / duration;
   if (plan.hand.held) {
     const Vec3 velocity = displacement / duration, before = state.velocity[*plan.hand.held];
-    for (int c = 0; c < plan.dimensions; ++c) motion.v[static_cast<std::size_t>(c) * plan.points + *plan.hand.held] = velocity[c];
+    set_vector(plan, motion.v, *plan.hand.held, velocity);
     motion.energy.add(EnergyCause::Hand, 0.5 * plan.hand.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before)));
   }
   return hand;

@@ -43,7 +43,6 @@ void Substep::begin_frame(Plan& plan, const Settings& settings, Motion& motion) 
   failure_ = StepFailure::None;
   broken_.clear();
   broken_.reserve(plan.spring.break_length.size());
-  motion.breaks.reserve(plan.spring.break_length.size());
 
   work_.tolerance = settings.tolerance;
   work_.min_step = min_step_fraction * h_;

@@ -38,23 +38,18 @@ inline void solve(SurfaceContact& contact, std::span<const double> inverse_mass,
       inverse_mass, velocity);
 }
 
-ContactImpulse scaled(const ContactImpulse& impulse, double factor, const Vec3& normal) {
-  return {factor * impulse.normal, factor * tangential(normal, impulse.friction)};
-}
-Vec3 total(const ContactImpulse& impulse, const Vec3& normal) { return impulse.normal * normal + impulse.friction; }
-
 // The contacts of features, and those of obstacles, which come last.
 std::size_t count_features(std::span<const SurfaceContact> contacts) {
   const auto end = std::ranges::partition_point(contacts, [](const SurfaceContact& each) { return !each.is_on_obstacle(); });
   return static_cast<std::size_t>(end - contacts.begin());
 }
 
-}  // namespace
-
-SurfaceContacts::Key SurfaceContacts::key_of(const SurfaceContact& contact) {
+SurfaceKey key_of(const SurfaceContact& contact) {
   const Index i = contact.points[0];
   return {contact.kind, contact.pair, contact.is_on_obstacle() ? std::array{i, i, no_index, contact.pair} : contact.points};
 }
+
+}  // namespace
 
 void SurfaceContacts::begin_frame() {
   last_.clear();
@@ -66,7 +61,7 @@ void SurfaceContacts::make(const Step& step, const SurfaceDetection& detection) 
   touching.clear();
   list_ = detection.list_number();
   const double slack = contact::slack * step.plan.max_thickness;
-  for (const SurfaceDetection::Near& near : detection.near()) {
+  for (const NearFeatures& near : detection.near()) {
     const Closest& closest = near.closest;
     const Vec3 normal = closest.separation / closest.distance;
     const double gap = closest.distance - near.contact;
@@ -158,20 +153,20 @@ void SurfaceContacts::sweep(const Step& step, std::span<SurfaceContact> contacts
 // found by their points.
 void SurfaceContacts::recall(const Step& step) {
   const double factor = last_h_ > 0.0 ? step.h / last_h_ : 0.0;
-  const auto by_points = [](const Key& key) { return std::tuple(key.kind, key.points); };
-  const auto in_list = [](const Key& key) { return std::tuple(key.kind, key.pair, key.points); };
-  const auto of_points = [&](const Memory& each) { return by_points(each.key); };
+  const auto by_points = [](const SurfaceKey& key) { return std::tuple(key.kind, key.points); };
+  const auto in_list = [](const SurfaceKey& key) { return std::tuple(key.kind, key.pair, key.points); };
+  const auto of_points = [&](const SurfaceMemory& each) { return by_points(each.key); };
   const bool is_same_list = list_ == last_list_;
   if (!is_same_list) std::ranges::sort(last_, {}, of_points);
   auto next = last_.begin();
   for (SurfaceContact& contact : paths) {
-    const Key key = key_of(contact);
+    const SurfaceKey key = key_of(contact);
     if (is_same_list)
       while (next != last_.end() && in_list(next->key) < in_list(key)) ++next;
     else
       next = std::ranges::lower_bound(last_, by_points(key), {}, of_points);
     if (next == last_.end() || by_points(next->key) != by_points(key)) continue;
-    contact.impulse = scaled(next->impulses.path, factor, contact.normal);
+    contact.impulse = next->path.scaled(factor, contact.normal);
     contact.last = static_cast<Index>(next - last_.begin());
   }
 }
@@ -182,7 +177,7 @@ void SurfaceContacts::remember(const Step& step) {
     const SurfaceContact& contact = touching[k];
     const ContactImpulse &all = contact.impulse, &path = path_impulses_[k];
     if (all.normal > 0.0 || path.normal > 0.0)
-      last_.push_back({key_of(contact), {path, {all.normal - path.normal, all.friction - path.friction}}});
+      last_.push_back({key_of(contact), path, {all.normal - path.normal, all.friction - path.friction}});
   }
   last_list_ = list_;
   last_h_ = step.h;
@@ -191,7 +186,7 @@ void SurfaceContacts::remember(const Step& step) {
 void SurfaceContacts::solve_paths(const Step& step, std::span<Vec3> u) {
   recall(step);
   for (const SurfaceContact& contact : paths)
-    if (contact.impulse.normal > 0.0) apply(contact, total(contact.impulse, contact.normal), step.inverse_mass, u);
+    if (contact.impulse.normal > 0.0) apply(contact, contact.impulse.total(contact.normal), step.inverse_mass, u);
   sweep(step, paths, u);
   // features turn on their way
   const auto may_touch = [&](const SurfaceContact& contact) {
@@ -245,10 +240,10 @@ void SurfaceContacts::solve_ends(const Step& step, std::span<const Vec3> u, std:
   for (SurfaceContact& contact : touching) {
     const ContactImpulse before = path_impulses_.emplace_back(contact.impulse);
     if (contact.last == no_index || std::isinf(contact.target)) continue;
-    const ContactImpulse end = scaled(last_[contact.last].impulses.end, factor, contact.normal);
+    const ContactImpulse end = last_[contact.last].end.scaled(factor, contact.normal);
     if (end.normal == 0.0) continue;
     contact.impulse = {std::max(0.0, before.normal + end.normal), before.friction + end.friction};
-    apply(contact, total(contact.impulse, contact.normal) - total(before, contact.normal), step.inverse_mass, velocity);
+    apply(contact, contact.impulse.total(contact.normal) - before.total(contact.normal), step.inverse_mass, velocity);
   }
   sweep(step, touching, velocity);
   remember(step);

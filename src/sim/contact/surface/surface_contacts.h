@@ -33,6 +33,17 @@ struct SurfaceContact {
   bool is_on_obstacle() const { return pair >= obstacle; }
 };
 
+// What a contact has in common with that of the last substep, and the impulses of that.
+struct SurfaceKey {
+  FeaturePair kind = FeaturePair::PointFace;
+  Index pair = 0;
+  std::array<Index, 4> points{};
+};
+struct SurfaceMemory {
+  SurfaceKey key;
+  ContactImpulse path, end;
+};
+
 // One projected Gauss-Seidel, first on the velocities with which points are about to move, then on those at the end of the substep.
 class SurfaceContacts {
  public:
@@ -71,26 +82,12 @@ class SurfaceContacts {
   long impulses = 0;                     // computed, since it was set
 
  private:
-  struct ContactImpulses {
-    ContactImpulse path, end;
-  };
-  // What a contact has in common with that of the last substep.
-  struct Key {
-    FeaturePair kind = FeaturePair::PointFace;
-    Index pair = 0;
-    std::array<Index, 4> points{};
-  };
-  struct Memory {
-    Key key;
-    ContactImpulses impulses;
-  };
-  static Key key_of(const SurfaceContact& contact);
   void add(const Step& step, SurfaceContact& contact);
   void recall(const Step& step);
   void move(const Step& step, std::span<const Vec3> u);
   void sweep(const Step& step, std::span<SurfaceContact> contacts, std::span<Vec3> velocity);
 
-  std::vector<Memory> last_;                   // those that exerted impulses
+  std::vector<SurfaceMemory> last_;            // those that exerted impulses
   std::vector<ContactImpulse> path_impulses_;  // per contact that touches
   std::vector<Vec3> end_x_;                    // [m], at the end of the paths
   FeatureBlock block_;

@@ -119,7 +119,7 @@ void SurfaceDetection::measure(const SurfacePlan& plan, FeaturePair kind, std::s
                                                        : plan.owns(first, block_.weight[1][i], block_.weight[2][i], block_.weight[3][i]);
     if (!touches) continue;
     // in place: a copy would wait for all of its parts to be written
-    Near& near = near_.emplace_back();
+    NearFeatures& near = near_.emplace_back();
     near.points = points;
     near.closest = block_.closest(i);
     near.contact = radius + plan.thickness_of(points);

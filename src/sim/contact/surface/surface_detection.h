@@ -9,6 +9,21 @@
 
 namespace hooke {
 
+// A pair that may touch, at the start of the substep.
+struct NearFeatures {
+  std::array<Index, 4> points{};
+  Closest closest;
+  double contact = 0.0;  // [m], the distance at which they touch
+  Index pair = 0;        // in the list of its kind
+  FeaturePair kind = FeaturePair::PointFace;
+};
+// A pair that may meet within the substep.
+struct MeetingFeatures {
+  FeaturePair kind = FeaturePair::PointFace;
+  std::array<Index, 4> points{};
+  double distance = 0.0;  // [m], at its start
+};
+
 // Pairs are listed with a margin for many substeps. A listed pair sleeps until points have moved so far, relative to their mean, that it
 // may be near. What is found depends neither on the margin nor on what was found before.
 class SurfaceDetection {
@@ -18,21 +33,6 @@ class SurfaceDetection {
 
   // `relative_margin`: [1], of the length of the edges.
   explicit SurfaceDetection(double relative_margin) : relative_margin_(relative_margin) {}
-
-  // A pair that may touch, at the start of the substep.
-  struct Near {
-    std::array<Index, 4> points{};
-    Closest closest;
-    double contact = 0.0;  // [m], the distance at which they touch
-    Index pair = 0;        // in the list of its kind
-    FeaturePair kind = FeaturePair::PointFace;
-  };
-  // A pair that may meet within the substep.
-  struct Meeting {
-    FeaturePair kind = FeaturePair::PointFace;
-    std::array<Index, 4> points{};
-    double distance = 0.0;  // [m], at its start
-  };
 
   void clear() { tree_.clear(); }
   bool is_begun() const { return tree_.is_built(); }
@@ -46,11 +46,11 @@ class SurfaceDetection {
   bool change_velocities(const SurfacePlan& plan, std::span<const Vec3> u);
 
   // Without those in whose place another pair touches.
-  std::span<const Near> near() const { return near_; }
-  std::span<const Meeting> meeting() const { return meeting_; }
+  std::span<const NearFeatures> near() const { return near_; }
+  std::span<const MeetingFeatures> meeting() const { return meeting_; }
   // [m], by which any two features approach each other in the substep at most.
   double approach() const { return approach_; }
-  // The list in which Near::pair is valid.
+  // The list in which NearFeatures::pair is valid.
   long list_number() const { return lists_; }
 
   long crossings() const { return crossings_; }           // at the start of the frame
@@ -72,8 +72,8 @@ class SurfaceDetection {
   double reach_ = 0.0, travel_ = 0.0;        // [m]: pairs up to the first are listed; by the second, distances have changed since at most
   double h_ = 0.0, approach_ = 0.0, round_off_ = 0.0;
   std::vector<Vec3> x_;
-  std::vector<Near> near_;
-  std::vector<Meeting> meeting_;
+  std::vector<NearFeatures> near_;
+  std::vector<MeetingFeatures> meeting_;
   FeatureBlock block_;
   long crossings_ = 0, lists_ = 0, first_list_ = 0, tests_ = 0;
 };

@@ -29,7 +29,7 @@ bool SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detectio
   for (int pass = 0; pass < max_passes; ++pass) {
     has_failed_ = !detection.change_velocities(plan, u);
     bool hits = false;
-    for (const SurfaceDetection::Meeting& pair : detection.meeting()) {
+    for (const MeetingFeatures& pair : detection.meeting()) {
       if (has_failed_) break;
       FourPoints from, displacement;
       for (int c = 0; c < 4; ++c) from[c] = x[pair.points[c]], displacement[c] = h * u[pair.points[c]];
@@ -51,8 +51,8 @@ bool SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detectio
 }
 
 // An inelastic impact after this time [s]. If an impulse cannot help, the passes that join do.
-void SurfaceImpacts::respond(const SurfaceDetection::Meeting& pair, std::span<const double> inverse_mass, std::span<const Vec3> x,
-                             double time, Index held, std::span<Vec3> u) {
+void SurfaceImpacts::respond(const MeetingFeatures& pair, std::span<const double> inverse_mass, std::span<const Vec3> x, double time,
+                             Index held, std::span<Vec3> u) {
   FourPoints at;
   for (int c = 0; c < 4; ++c) at[c] = x[pair.points[c]] + time * u[pair.points[c]];
   const Closest closest = closest_points(pair.kind, at);

@@ -28,8 +28,8 @@ class SurfaceImpacts {
   double held_impulse() const { return held_impulse_; }  // [N s], a bound on those on the held point in this substep
 
  private:
-  void respond(const SurfaceDetection::Meeting& pair, std::span<const double> inverse_mass, std::span<const Vec3> x, double time,
-               Index held, std::span<Vec3> u);
+  void respond(const MeetingFeatures& pair, std::span<const double> inverse_mass, std::span<const Vec3> x, double time, Index held,
+               std::span<Vec3> u);
   bool join(const std::array<Index, 4>& points, std::span<const double> inverse_mass, std::span<Vec3> u);
 
   std::vector<Index> zone_;  // per point: the first of those that move together; empty: none do

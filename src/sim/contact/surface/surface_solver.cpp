@@ -195,7 +195,6 @@ void SurfaceSolver::find_rebounds(const Plan& plan, const Field& v0, double h, c
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
 void SurfaceSolver::write(const Plan& plan, const Field& v0, double h, Motion& motion) {
-  const auto n = static_cast<std::size_t>(plan.points);
   // where the strain limit has moved points, contact moves them back, against springs whose force changes on the way
   const double energy = is_limited_ ? mechanical_energy(plan, motion.time, motion) : 0.0;
   double work = 0.0, lag_work = 0.0;
@@ -203,14 +202,12 @@ void SurfaceSolver::write(const Plan& plan, const Field& v0, double h, Motion& m
     const Index i = plan.surface.points[k];
     const Vec3 v1 = vector_at(plan, motion.v, i);
     if (inverse_mass_[k] == 0.0 || (u_[k] == free_u_[k] && velocity_[k] == v1)) continue;
-    const Vec3 supplied = free_velocity_[k] - vector_at(plan, v0, i), displacement = h * (u_[k] - free_u_[k]);
+    const Vec3 supplied = free_velocity_[k] - vector_at(plan, v0, i);
     const double kinetic = 0.5 * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1));
     work += plan.mass[i] * (kinetic - glm::dot(supplied, u_[k] - free_u_[k]));
     lag_work += plan.mass[i] * velocity_lag_ * glm::dot(supplied, velocity_[k] - v1);
-    for (int c = 0; c < plan.dimensions; ++c) {
-      motion.x[c * n + i] += displacement[c];
-      motion.v[c * n + i] = velocity_[k][c];
-    }
+    add_vector(plan, motion.x, i, h * (u_[k] - free_u_[k]));
+    set_vector(plan, motion.v, i, velocity_[k]);
   }
   if (is_limited_) work = mechanical_energy(plan, motion.time, motion) - energy;
   book_contact_work(work, supplied_work(plan, motion), motion);

@@ -109,7 +109,7 @@ void SurfaceTree::sort_features(const SurfacePlan& plan) {
     node.corners.begin = static_cast<Index>(corners_.size());
     node.edges.begin = static_cast<Index>(edges_.size());
     for (Index p = node.pieces.begin; p < node.pieces.end; ++p) {
-      const SurfacePlan::Piece& piece = plan.pieces[pieces_[p]];
+      const SurfacePiece& piece = plan.pieces[pieces_[p]];
       for (Index c = piece.first_corner; c < piece.end_corner; ++c) {
         corners_.push_back(plan.corners[c]);
         is_on_face_.push_back(piece.is_face ? 1 : 0);  // a face owns all its points that are on springs as well

@@ -159,16 +159,15 @@ void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& 
   decay.assign(plan.spring.damping.size() + padding, 0.0);
   // consecutive springs are usually equal, and exponentials are expensive
   double previous_exponent = 0.0, decay_fraction = 0.0;
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const double inverse = plan.inverse_mass[run.first + e] + plan.inverse_mass[run.second + e];
-      const double exponent = plan.spring.damping[run.begin + e] * duration * inverse;
-      if (exponent != previous_exponent) {
-        previous_exponent = exponent;
-        decay_fraction = -portable::expm1(-exponent);
-      }
-      if (inverse != 0.0) decay[run.begin + e] = decay_fraction / inverse;
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    const double inverse = plan.inverse_mass[i] + plan.inverse_mass[j];
+    const double exponent = plan.spring.damping[s] * duration * inverse;
+    if (exponent != previous_exponent) {
+      previous_exponent = exponent;
+      decay_fraction = -portable::expm1(-exponent);
     }
+    if (inverse != 0.0) decay[s] = decay_fraction / inverse;
+  });
 }
 
 }  // namespace hooke

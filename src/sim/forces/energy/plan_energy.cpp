@@ -14,11 +14,10 @@ double stored_energy(const Plan& plan, double time, const Field& x) {
   for (int c = 0; c < plan.dimensions; ++c)
     for (Index i = 0; i < plan.points; ++i)
       if (plan.inverse_mass[i] != 0.0) energy -= plan.mass[i] * plan.gravity[c] * x[static_cast<std::size_t>(c) * plan.points + i];
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const double length = glm::length(difference_at(plan, x, run.first + e, run.second + e));
-      energy += response_of(plan, run.begin + e, time, length).of.energy;
-    }
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    const double length = glm::length(difference_at(plan, x, i, j));
+    energy += response_of(plan, s, time, length).of.energy;
+  });
   return energy;
 }
 
@@ -43,14 +42,13 @@ double mechanical_energy(const Plan& plan, double time, const Motion& motion) {
 
 double dashpot_power(const Plan& plan, double time, const Field& x, const Field& v) {
   double power = 0.0;
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Vec3 along = difference_at(plan, x, run.first + e, run.second + e);
-      const double length = glm::length(along), damping = response_of(plan, run.begin + e, time, length).damping;
-      if (damping == 0.0 || length == 0.0) continue;
-      const double speed = glm::dot(along, difference_at(plan, v, run.first + e, run.second + e)) / length;
-      power += damping * speed * speed;
-    }
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    const Vec3 along = difference_at(plan, x, i, j);
+    const double length = glm::length(along), damping = response_of(plan, s, time, length).damping;
+    if (damping == 0.0 || length == 0.0) return;
+    const double speed = glm::dot(along, difference_at(plan, v, i, j)) / length;
+    power += damping * speed * speed;
+  });
   return power;
 }
 

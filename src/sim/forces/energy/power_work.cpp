@@ -206,26 +206,22 @@ void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
 // The impulses d (l1 - l0) that dashpots exert in the method's step, and their work at the mean of the speeds before and after it.
 void PowerWork::find_impulses(const Plan& plan, const Motion& motion) {
   impulses_.work = 0.0;
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const auto [l0, w0] = separation(plan, {x_, v_}, run.first + e, run.second + e);
-      const auto [l1, w1] = separation(plan, {motion.x, motion.v}, run.first + e, run.second + e);
-      const Index s = run.begin + e;
-      impulses_.length[s] = l1;
-      impulses_.impulse[s] = response_of(plan, s, motion.time, l1).damping * (l1 - l0);
-      impulses_.work -= 0.5 * impulses_.impulse[s] * (w0 + w1);
-    }
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    const auto [l0, w0] = separation(plan, {x_, v_}, i, j);
+    const auto [l1, w1] = separation(plan, {motion.x, motion.v}, i, j);
+    impulses_.length[s] = l1;
+    impulses_.impulse[s] = response_of(plan, s, motion.time, l1).damping * (l1 - l0);
+    impulses_.work -= 0.5 * impulses_.impulse[s] * (w0 + w1);
+  });
 }
 
 // [J], of the part of them that acts along the way on which contact then leads the points to `end`.
 double PowerWork::impulse_work_after(const Plan& plan, double h, const Field& end) const {
   double work = 0.0;
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Index s = run.begin + e;
-      const double length = separation(plan, {end, end}, run.first + e, run.second + e).length;
-      work -= impulses_.impulse[s] * (length - impulses_.length[s]) / h;
-    }
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    const double length = separation(plan, {end, end}, i, j).length;
+    work -= impulses_.impulse[s] * (length - impulses_.length[s]) / h;
+  });
   return impulses_.part_after_contact * work;
 }
 

@@ -119,7 +119,7 @@ double potential(const Plan& plan, const ForceValues& values, double, const doub
   return energy;
 }
 
-// Of a center that moves.
+// [W], on a center that moves.
 double power(const Plan& plan, const ForceValues& values, double, const double* x, const double* v) {
   if (plan.force_data.center == no_index) return 0.0;
   const Law law = law_of(values);

@@ -76,17 +76,15 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
     for (std::size_t at = 0; at < x.size(); ++at) add(-term_force_[at] * (x[at] - x_[at]));
 
   // springs; dashpots along the directions at x_
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Index i = run.first + e, j = run.second + e, s = run.begin + e;
-      add(response_of(plan, s, stage.time, glm::length(difference_at(plan, x, i, j))).of.energy);
-      if (!plan.has_dashpots()) continue;
-      const Vec3 direction = difference_at(plan, x_, i, j);
-      const double length = glm::length(direction);
-      if (length == 0.0) continue;
-      const double speed = glm::dot(direction, difference_at(plan, V, i, j)) / length;
-      add(0.5 * stage.b * response_of(plan, s, stage.time, length).damping * speed * speed);
-    }
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    add(response_of(plan, s, stage.time, glm::length(difference_at(plan, x, i, j))).of.energy);
+    if (!plan.has_dashpots()) return;
+    const Vec3 direction = difference_at(plan, x_, i, j);
+    const double length = glm::length(direction);
+    if (length == 0.0) return;
+    const double speed = glm::dot(direction, difference_at(plan, V, i, j)) / length;
+    add(0.5 * stage.b * response_of(plan, s, stage.time, length).damping * speed * speed);
+  });
 
   if (plan.hand.pull) {
     const Vec3 stretch = pull_stretch(plan, x, stage.time);

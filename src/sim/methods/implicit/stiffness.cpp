@@ -9,12 +9,6 @@
 namespace hooke {
 namespace {
 
-template <class Use>
-void for_each_spring(const Plan& plan, const Use& use) {
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) use(run.first + e, run.second + e, run.begin + e);
-}
-
 // On and above the diagonal: use(row, column, entry).
 template <class Use>
 void for_each_hinge_entry(const Plan& plan, const Use& use) {
