@@ -84,6 +84,10 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
   for (const auto& warning :
        {step_warning(scene.system, scene.state, scene.settings), oscillation_warning(scene.system, scene.settings), limit_warning()})
     if (warning) loaded.warnings.push_back(*warning);
+  // a file with one has been warned about when it was read
+  const auto small = small_collider_warning(scene.system, scene.state);
+  if (small && std::ranges::none_of(loaded.warnings, [&](const std::string& line) { return line.ends_with(*small); }))
+    loaded.warnings.push_back(*small);
   if (options.substeps && is_automatic(scene.settings))
     loaded.warnings.push_back("substeps: " + std::to_string(scene.settings.substeps) + ": not used: auto chooses the substeps");
 }

@@ -67,7 +67,7 @@ Command distributed(const Snapshot& now, const std::vector<PointId>& points, int
   return move;
 }
 
-std::vector<Command> weld(const Snapshot& snapshot, const std::vector<PointId>& points, const IdSource& ids) {
+std::vector<Command> weld(const Snapshot& snapshot, const SheetWeights* sheet, const std::vector<PointId>& points, const IdSource& ids) {
   const System& system = *snapshot.system;
   if (points.size() < 2) return {};
   const PointId kept = points.front();
@@ -78,7 +78,7 @@ std::vector<Command> weld(const Snapshot& snapshot, const std::vector<PointId>& 
     changed.first = end_of(spring.first), changed.second = end_of(spring.second);
     if (changed == spring || changed.first == changed.second) continue;
     changed.id = ids.spring();
-    insert.springs.push_back({.spring = changed});
+    insert.springs.push_back({.spring = changed, .sheet_weight = sheet_weight_of(sheet, spring.id)});
   }
   for (const Face& face : system.faces) {
     Face changed = face;
@@ -107,7 +107,7 @@ std::vector<Command> weld(const Snapshot& snapshot, const std::vector<PointId>& 
   return commands;
 }
 
-std::vector<Command> split(const Snapshot& now, const std::vector<PointId>& points, const IdSource& ids) {
+std::vector<Command> split(const Snapshot& now, const SheetWeights* sheet, const std::vector<PointId>& points, const IdSource& ids) {
   const System& system = *now.system;
   std::vector<Spring> springs(system.springs().begin(), system.springs().end());
   std::vector<bool> is_changed(springs.size());
@@ -134,9 +134,10 @@ std::vector<Command> split(const Snapshot& now, const std::vector<PointId>& poin
   Remove remove;
   for (std::size_t s = 0; s < springs.size(); ++s) {
     if (!is_changed[s]) continue;
+    const double sheet_weight = sheet_weight_of(sheet, springs[s].id);
     remove.springs.push_back(springs[s].id);
     springs[s].id = ids.spring();
-    insert.springs.push_back({.spring = springs[s]});
+    insert.springs.push_back({.spring = springs[s], .sheet_weight = sheet_weight});
   }
   return {std::move(masses), std::move(remove), std::move(insert)};
 }

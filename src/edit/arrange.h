@@ -19,7 +19,7 @@ struct Affine {
 glm::dmat3 rotation(const Vec3& axis, double angle);
 glm::dmat3 reflection(int axis);
 
-// Of the box around the points.
+// The center of the box around the points.
 Vec3 center_of(const Snapshot& now, const std::vector<PointId>& points);
 std::vector<Command> moved(const Snapshot& start, const std::vector<PointId>& points, const Affine& affine);
 // The coordinate of all points along an axis becomes their mean; or they keep their order and get equal distances along it.
@@ -28,8 +28,8 @@ Command distributed(const Snapshot& now, const std::vector<PointId>& points, int
 
 // The first point takes the springs and faces of the others, their mass, and the place of their center of mass. Springs between them
 // vanish.
-std::vector<Command> weld(const Snapshot& snapshot, const std::vector<PointId>& points, const IdSource& ids);
+std::vector<Command> weld(const Snapshot& snapshot, const SheetWeights* sheet, const std::vector<PointId>& points, const IdSource& ids);
 // Each spring of a point but the first one gets an end of its own; they share the mass. Not at faces. Empty where nothing is split.
-std::vector<Command> split(const Snapshot& now, const std::vector<PointId>& points, const IdSource& ids);
+std::vector<Command> split(const Snapshot& now, const SheetWeights* sheet, const std::vector<PointId>& points, const IdSource& ids);
 
 }  // namespace hooke

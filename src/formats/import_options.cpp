@@ -9,7 +9,7 @@ namespace {
 
 double number_of(const char* option, const std::string& text, const Bounds& bounds) {
   const auto number = parse_number(text);
-  if (!number) throw OptionError(option, printable(text, 80), bounds.text());
+  if (!number) throw OptionError(option, printable(text, 80), "not a number: " + bounds.text());
   check_option(option, *number, bounds);
   return *number;
 }

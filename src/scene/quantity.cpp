@@ -31,7 +31,8 @@ double force_of(const Measurement& m, Index s) {
   const Vec3 along = m.state.position[b] - m.state.position[a];
   const double length = glm::length(along);
   const double rate = length > 0.0 ? glm::dot(m.state.velocity[b] - m.state.velocity[a], along) / length : 0.0;
-  return tension(m.system, m.state, spring) + m.system.damping_of(spring) * rate;
+  const SpringResponse response = response_at(m.system, m.state, spring);
+  return response.tension + (response.acts ? m.system.damping_of(spring) * rate : 0.0);
 }
 
 // Of the free points.

@@ -72,7 +72,7 @@ TEST(Arrange, AligningAndDistributing) {
 TEST(Arrange, WeldingKeepsMassMomentumAndSpringsAndSplittingDividesTheMass) {
   Scene scene = bar();
   const std::vector<PointId> ends = {scene.system.points()[0].id, scene.system.points()[2].id};
-  take(scene, weld(snapshot_of(scene), ends, ids_of(scene)));
+  take(scene, weld(snapshot_of(scene), scene.sheet.get(), ends, ids_of(scene)));
   ASSERT_EQ(scene.system.point_count(), 2);
   ASSERT_EQ(scene.system.spring_count(), 2);
   EXPECT_DOUBLE_EQ(scene.system.points()[0].mass, 4.0);
@@ -80,16 +80,28 @@ TEST(Arrange, WeldingKeepsMassMomentumAndSpringsAndSplittingDividesTheMass) {
   EXPECT_LT(glm::distance(scene.state.velocity[0], Vec3(0.0, 0.75, 0.0)), 1e-12);
   EXPECT_EQ(scene.system.springs()[1].stiffness, 60.0);
 
-  take(scene, split(snapshot_of(scene), {scene.system.points()[1].id}, ids_of(scene)));
+  take(scene, split(snapshot_of(scene), scene.sheet.get(), {scene.system.points()[1].id}, ids_of(scene)));
   EXPECT_EQ(scene.system.point_count(), 3);
   EXPECT_EQ(scene.system.spring_count(), 2);
   EXPECT_DOUBLE_EQ(scene.system.points()[1].mass, 1.0);
-  EXPECT_TRUE(split(snapshot_of(scene), {scene.system.points()[1].id}, ids_of(scene)).empty());
+  EXPECT_TRUE(split(snapshot_of(scene), scene.sheet.get(), {scene.system.points()[1].id}, ids_of(scene)).empty());
+}
+
+TEST(Arrange, WeldedAndSplitSpringsKeepTheirShareOfTheSheet) {
+  for (const bool welds : {true, false}) {
+    Scene scene = bar();
+    scene.sheet = std::make_shared<const SheetWeights>(SheetWeights{{0.1, 0.2, 0.1}, {0.75, 0.5}});
+    const auto& points = scene.system.points();
+    take(scene, welds ? weld(snapshot_of(scene), scene.sheet.get(), {points[0].id, points[2].id}, ids_of(scene))
+                      : split(snapshot_of(scene), scene.sheet.get(), {points[1].id}, ids_of(scene)));
+    EXPECT_EQ(sheet_weight_of(scene.sheet.get(), scene.system.springs()[0].id), 0.75);
+    EXPECT_EQ(sheet_weight_of(scene.sheet.get(), scene.system.springs()[1].id), 0.5);
+  }
 }
 
 TEST(Arrange, WeldingTheEndsOfASpringRemovesIt) {
   Scene scene = bar();
-  take(scene, weld(snapshot_of(scene), {scene.system.points()[0].id, scene.system.points()[1].id}, ids_of(scene)));
+  take(scene, weld(snapshot_of(scene), scene.sheet.get(), {scene.system.points()[0].id, scene.system.points()[1].id}, ids_of(scene)));
   EXPECT_EQ(scene.system.point_count(), 2);
   ASSERT_EQ(scene.system.spring_count(), 1);
   EXPECT_EQ(scene.system.springs()[0].stiffness, 60.0);
@@ -100,7 +112,7 @@ TEST(Arrange, NeighborsAreSplitTogether) {
   const PointId d = scene.system.new_point_id();
   take(scene, {Insert{.points = {{.point = {.id = d}, .position = {3.0, 0.0, 0.0}}},
                       .springs = {{.spring = {.id = scene.system.new_spring_id(), .first = scene.system.points()[2].id, .second = d}}}}});
-  take(scene, split(snapshot_of(scene), all_of(scene), ids_of(scene)));
+  take(scene, split(snapshot_of(scene), scene.sheet.get(), all_of(scene), ids_of(scene)));
   EXPECT_EQ(scene.system.point_count(), 6);
   EXPECT_EQ(scene.system.spring_count(), 3);
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 
 #include "sim/forces/energy/energy.h"
@@ -42,15 +44,24 @@ TestSim overlapping_net(std::uint64_t seed) {
 
 // To separate what springs press together takes work, which is done once: the energy does not grow without bounds.
 TEST(Overlaps, TakeUpAtMostAFewTimesTheEnergyOfTheStart) {
-  for (const char* method : {"velocity_verlet", "runge_kutta4"})
+  for (const char* method : {"velocity_verlet", "runge_kutta4"}) {
+    int gaining = 0;
+    double largest = 0.0;
     for (std::uint64_t seed = 0; seed < 80; ++seed) {
       TestSim sim = overlapping_net(seed);
-      const double limit = 3.0 * energy_of(sim) + 1e-6;
+      const double start = energy_of(sim);
+      double gain = 0.0;  // [1], of the energy at the start
       for (int i = 0; i < 60; ++i) {
         sim.run(*find_integrator(method), 1.0 / 60.0, 60);
-        ASSERT_LT(energy_of(sim), limit) << method << ", scene " << seed << ", frame " << i;
+        gain = std::max(gain, (energy_of(sim) - start) / (start + 1e-6));
+        ASSERT_LT(gain, 2.0) << method << ", scene " << seed << ", frame " << i;
       }
+      gaining += gain > 1e-3 ? 1 : 0;
+      largest = std::max(largest, gain);
     }
+    if (std::getenv("HOOKE_PRINT") != nullptr)
+      std::printf("%s: %d of 80 nets gain more than 0.1 %%, at most %.3g times the energy at the start\n", method, gaining, largest);
+  }
 }
 
 TEST(Overlaps, ThatASpringPressesSeparateInPart) {

@@ -89,13 +89,15 @@ void SelectionEditor::weld() {
   const std::vector<PointId> points = context_.selection.points;
   if (points.size() < 2) return panels_.show_toast("Select the points to weld: two or more");
   const Gesture gesture = context_.begin_gesture();
-  for (Command& command : hooke::weld(context_.snapshot(), points, context_.new_ids())) context_.lab.submit(std::move(command), gesture);
+  for (Command& command : hooke::weld(context_.snapshot(), context_.status->document->sheet.get(), points, context_.new_ids()))
+    context_.lab.submit(std::move(command), gesture);
   panels_.show_toast("Welded " + count(static_cast<long>(points.size()), "point"));
   context_.selection = {{points.front()}, {}};
 }
 
 void SelectionEditor::split() {
-  std::vector<Command> commands = hooke::split(context_.snapshot(), context_.selection.points, context_.new_ids());
+  std::vector<Command> commands =
+      hooke::split(context_.snapshot(), context_.status->document->sheet.get(), context_.selection.points, context_.new_ids());
   if (commands.empty()) return panels_.show_toast("Nothing to split: select points where springs meet, not of a surface");
   const Gesture gesture = context_.begin_gesture();
   for (Command& command : commands) context_.lab.submit(std::move(command), gesture);

@@ -19,14 +19,17 @@ class EarClipper {
 
   bool clip(std::vector<std::array<Index, 3>>& triangles) {
     find_ears();
+    double outline = 0.0, covered = 0.0;  // [m^2], twice the areas
+    for (std::size_t i = 0; i < ring_.size(); ++i) outline += turn(ring_[0], ring_[i], after(i));
     while (ring_.size() >= 3) {
       const std::size_t tip = next_ear(), count = ring_.size();
+      covered += std::abs(turn(before(tip), ring_[tip], after(tip)));
       triangles.push_back({before(tip).index, ring_[tip].index, after(tip).index});
       ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(tip));
       if (ring_.size() < 3) break;
       for (const std::size_t neighbor : {(tip + count - 2) % ring_.size(), tip % ring_.size()}) update(neighbor);
     }
-    return is_simple_;
+    return is_simple_ && covered - outline <= static_cast<double>(triangles.size()) * tolerance_;
   }
 
  private:

@@ -267,7 +267,7 @@ class SettingSearch {
         .has_recommended_margin = limit && advice.substeps == recommended_margin(start_.system, start_.state) * *limit,
         .warnings = trial.all_warnings()};
     auto& best = cheapest_[rank];
-    if (!best || (rank == Tested && setting.duration < best->duration)) best = setting;
+    if (!best || setting.duration < best->duration) best = setting;
     if (is_present && !same_method_[rank]) same_method_[rank] = setting;
     if (rank == Tested) cheapest_work_ = std::min(cheapest_work_, trial.work);
     return rank == Tested;

@@ -5,15 +5,11 @@
 #include <glm/geometric.hpp>
 
 namespace hooke {
-namespace {
-
 SpringResponse response_at(const System& system, const State& state, const Spring& spring) {
   const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
   const double extension = length - system.rest_length_of(spring, state.time);
   return response_of(spring.law ? *spring.law : SpringLaw{}, system.stiffness_of(spring), extension);
 }
-
-}  // namespace
 
 Energy compute_energy(const System& system, const State& state) {
   Energy energy{.kinetic = kinetic_energy(system, state)};

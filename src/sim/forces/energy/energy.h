@@ -21,6 +21,8 @@ struct Momentum {
 Energy compute_energy(const System& system, const State& state);
 double kinetic_energy(const System& system, const State& state);                        // [J]
 double elastic_energy(const System& system, const State& state, const Spring& spring);  // [J]
+// What the law of a spring gives at its present length, and whether it acts there.
+SpringResponse response_at(const System& system, const State& state, const Spring& spring);
 // [N], without the dashpot; negative: compression.
 double tension(const System& system, const State& state, const Spring& spring);
 Momentum compute_momentum(const System& system, const State& state);
