@@ -41,7 +41,7 @@ set(owners
   "^zlib[.]h$"                          "^(base/read_file|app/media/animation_encoder)[.]cpp$"
   "^CLI/"                               "^(cli/|app/window/main[.]cpp$)"
   "^pybind11/"                          "^python/"
-  "^hwy/"                               "^(sim/|study/kernels/machine_loops[.]cpp$)"
+  "^hwy/"                               "^sim/"
   "^(unsupported/)?Eigen/"              "^(sim/|study/spectrum[.]cpp$)"
   "^glm/"                               "."
   "^malloc[.]h$"                        "^(draw/gl/gl|cli/main)[.]cpp$"

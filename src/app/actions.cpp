@@ -123,17 +123,17 @@ void App::check_result() {
   start_result_check(work_.result_check, status(), work_.forecaster.newest());
 }
 
-// Shows the panel with the exact solution, or with a first setting to compare with; hides it if it is already shown.
-void App::show_ghosts(bool with_exact) {
+// Shows the panel with a very accurate run, or with a first setting to compare with; hides it if it is already shown.
+void App::show_ghosts(bool with_reference) {
   Ghosts& ghosts = panels_.ghosts;
   if (ghosts.is_shown) {
     ghosts = {};
   } else {
     panels_.show_at_left(&ghosts.is_shown);
-    ghosts.with_exact = with_exact;
-    if (!with_exact) ghosts.settings = {first_ghost(status().snapshot->settings)};
+    ghosts.with_reference = with_reference;
+    if (!with_reference) ghosts.settings = {first_ghost(status().snapshot->settings)};
   }
-  work_.ghosts.set({ghosts.with_exact, ghosts.settings}, status(), lab_);
+  work_.ghosts.set({ghosts.with_reference, ghosts.settings}, status(), lab_);
 }
 
 void App::save_comparison(const std::string& extension) {

@@ -37,9 +37,6 @@ class RunMonitor {
   // No physical process causes one. A symplectic method lets the energy oscillate about its modified energy, which is no error of the
   // motion of that size: where the modified energy is known (Integrator::modified_energy), the smaller rise of the two counts.
   double energy_rise() const { return energy_.rise(); }
-  // Its change since the start, relative to the supplied energy [1]: an error of the method, as far as the scene cannot dissipate as much.
-  // Of the modified energy where that changed less.
-  double energy_change() const { return energy_.change(); }
   // Sum of the estimated errors of the frames [m], ignoring their later growth or decay.
   double estimated_error() const { return estimated_error_; }
 
