@@ -1,4 +1,4 @@
-// Every file reader under random mutations of its corpus, for some seconds per format. The sequence of mutations is the same in every run.
+// Every file reader under random mutations of its corpus, for a second per format. The sequence of mutations is the same in every run.
 // scripts/fuzz goes deeper, with coverage feedback from the compiler.
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ namespace {
 // [s] per format; scripts/fuzz takes longer. HOOKE_FUZZ_SECONDS overrides it.
 double budget() {
   const char* given = std::getenv("HOOKE_FUZZ_SECONDS");
-  return given != nullptr ? std::atof(given) : 4.0;
+  return given != nullptr ? std::atof(given) : 1.0;
 }
 
 std::vector<std::string> read_all(const std::filesystem::path& folder, std::uintmax_t max_bytes) {
