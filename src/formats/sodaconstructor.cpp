@@ -14,9 +14,6 @@
 namespace hooke {
 namespace {
 
-constexpr double pixel = 0.01, rate = 50.0;  // [m] and [1/s]: a pixel and the steps per second
-constexpr Bounds any{.min = -1e9, .max = 1e9}, positive_or_zero{.min = 0.0, .max = 1e9};
-
 // "Muscle" of <object type="com.sodaplay.soda.constructor2.model.Muscle">.
 std::string_view kind_of(const pugi::xml_node& object) {
   const std::string_view type = object.attribute("type").value();
@@ -49,7 +46,7 @@ class SodaReader {
     const double direction = number(model_, "gravityDirection", any, 1.0);
     const double down = direction == 0.0 ? 0.0 : direction == 1.0 ? -1.0 : 1.0;
     scene.system.gravity.y = down * pixel * rate * rate * number(model_, "gravity", any);
-    scene.system.drag = -rate * portable::log(1.0 - std::min(number(model_, "friction", {.min = 0.0, .max = 1.0}), 0.999));
+    scene.system.drag = 0.0 - rate * portable::log(1.0 - std::min(number(model_, "friction", {.min = 0.0, .max = 1.0}), 0.999));  // not -0
     scene.system.colliders.push_back({.shape = Plane{Vec3(0.0), Vec3(0.0, 1.0, 0.0)},
                                       .restitution = std::clamp(-number(model_, "surfaceReflection", any, -0.75), 0.0, 1.0),
                                       .friction = 1.0});
@@ -58,6 +55,9 @@ class SodaReader {
   }
 
  private:
+  static constexpr double pixel = 0.01, rate = 50.0;  // [m], and steps per second
+  static constexpr Bounds any{.min = -1e9, .max = 1e9}, positive_or_zero{.min = 0.0, .max = 1e9};
+
   [[noreturn]] void refuse(const pugi::xml_node& object, const std::string& name, const std::string& reason) const {
     throw InputError(file_ + ": " + printable(object.attribute("id").value(), 40) + "." + name + ": " + reason);
   }
