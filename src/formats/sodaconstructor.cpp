@@ -5,6 +5,7 @@
 #include <numbers>
 #include <pugixml.hpp>
 
+#include "base/file_limits.h"
 #include "base/printable.h"
 #include "base/text_lines.h"
 #include "formats/file_kinds.h"
@@ -45,7 +46,7 @@ class SodaReader {
     read_springs();
     const double direction = number(model_, "gravityDirection", any, 1.0);
     const double down = direction == 0.0 ? 0.0 : direction == 1.0 ? -1.0 : 1.0;
-    scene.system.gravity.y = down * pixel * rate * rate * number(model_, "gravity", any);
+    scene.system.gravity.y = down * pixel * rate * rate * number(model_, "gravity");
     scene.system.drag = 0.0 - rate * portable::log(1.0 - std::min(number(model_, "friction", {.min = 0.0, .max = 1.0}), 0.999));  // not -0
     scene.system.colliders.push_back({.shape = Plane{Vec3(0.0), Vec3(0.0, 1.0, 0.0)},
                                       .restitution = std::clamp(-number(model_, "surfaceReflection", any, -0.75), 0.0, 1.0),
@@ -62,7 +63,7 @@ class SodaReader {
     throw InputError(file_ + ": " + printable(object.attribute("id").value(), 40) + "." + name + ": " + reason);
   }
 
-  double number(const pugi::xml_node& object, const char* name, const Bounds& bounds, double otherwise = 0.0) const {
+  double number(const pugi::xml_node& object, const char* name, const Bounds& bounds = any, double otherwise = 0.0) const {
     const pugi::xml_node value = field(object, name);
     if (!value) return otherwise;
     const std::string_view text = value.child_value();
@@ -72,18 +73,15 @@ class SodaReader {
     return *number;
   }
 
-  Vec3 vector(const pugi::xml_node& object, const char* x, const char* y) const {
-    return pixel * Vec3(number(object, x, any), number(object, y, any), 0.0);
-  }
-
   void read_masses() {
     System& system = loaded_.scene.system;
     std::vector<Point> points;
     for (const pugi::xml_node& mass : field(model_, "nodes").children("object")) {
+      if (points.size() == max_points) refuse(model_, "nodes", "must be at most " + std::to_string(max_points));
       points.push_back({.id = system.new_point_id(), .nailed = kind_of(mass) == "Node", .mass = 1.0, .radius = 0.02});
       point_of_[mass.attribute("id").value()] = points.back().id;
-      loaded_.scene.state.position.push_back(vector(mass, "x", "y"));
-      loaded_.scene.state.velocity.push_back(rate * vector(mass, "vx", "vy"));
+      loaded_.scene.state.position.push_back(pixel * Vec3(number(mass, "x"), number(mass, "y"), 0.0));
+      loaded_.scene.state.velocity.push_back(pixel * rate * Vec3(number(mass, "vx"), number(mass, "vy"), 0.0));
     }
     system.set_points(std::move(points));
   }
@@ -112,12 +110,12 @@ class SodaReader {
 
   std::optional<SpringLaw> muscle(const pugi::xml_node& link) const {
     const pugi::xml_node wave = field(model_, "wave");
-    const double amplitude = number(wave, "amplitude", any) * number(link, "amplitude", any);
+    const double amplitude = number(wave, "amplitude") * number(link, "amplitude");
     if (amplitude == 0.0) return std::nullopt;
-    const double phase = 2.0 * std::numbers::pi * (number(link, "phase", any) - number(wave, "phase", any));
+    const double phase = 2.0 * std::numbers::pi * (number(link, "phase") - number(wave, "phase"));
     const bool is_reverse = field(wave, "direction").child_value() == std::string_view("reverse");
     return SpringLaw{.amplitude = std::clamp(amplitude, -1.0, 1.0),
-                     .frequency = rate * std::abs(number(wave, "speed", any)),
+                     .frequency = rate * std::abs(number(wave, "speed")),
                      .phase = is_reverse ? phase : std::numbers::pi - phase};
   }
 

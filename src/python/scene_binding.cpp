@@ -32,7 +32,7 @@ std::string at(const std::string& name, std::size_t index) { return name + "[" +
 
 NamedScene load(const std::string& name, const std::map<std::string, std::string>& options) {
   LoadedScene loaded = load_file(find_scene(name), {}, to_import_options(options));
-  return {name, loaded, loaded.warnings};
+  return {name, loaded, {}, loaded.warnings};
 }
 
 NamedScene parse(const std::string& text, const std::string& name) { return {name, parse_scene(text, name)}; }
