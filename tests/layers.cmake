@@ -37,6 +37,7 @@ set(owners
   "^GLFW/"                              "^app/window/"
   "^(imgui|imstb|misc/|backends/).*"    "^(ui/|draw/gl/gui_renderer[.]|app/window/imgui_backend[.])"
   "^png[.]h$"                           "^(draw/|formats/png_picture[.]cpp$)"
+  "^pugixml[.]hpp$"                     "^formats/"
   "^rapidjson/"                         "^(base/|study/work_precision_file[.]cpp$)"
   "^zlib[.]h$"                          "^(base/read_file|app/media/animation_encoder)[.]cpp$"
   "^CLI/"                               "^(cli/|app/window/main[.]cpp$)"

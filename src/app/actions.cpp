@@ -35,6 +35,9 @@ void App::handle(const Request& request) {
   std::visit(Overloaded{
                  [this](const Edit& edit) {
                    if (!edit.continues) tool_context_.begin_gesture();
+                   const auto& collider = tool_context_.selection.collider;
+                   if (const auto* set = std::get_if<SetColliders>(&edit.command); set && collider)
+                     tool_context_.note_gaps(set->colliders[static_cast<std::size_t>(*collider)]);
                    lab_.submit(edit.command, tool_context_.last_gesture);
                  },
                  [this](const Scrub& scrub) {

@@ -49,8 +49,7 @@ class RunMonitor {
   struct Crossings {
     std::optional<long> first;  // none: not known yet
     long max = 0;
-    bool is_forced = false;  // whether anything was nailed or held
-    double time = 0.0;       // [s], when there were first some
+    double time = 0.0;  // [s], when there were first some
   };
   Crossings crossings_;
   EnergyMonitor energy_;

@@ -17,6 +17,7 @@
 #include "fuzz/scene_input.h"
 #include "fuzz/settings_input.h"
 #include "fuzz/table_words.h"
+#include "fuzz/xml_input.h"
 #include "fuzz/xsp_input.h"
 #include "support/contents.h"
 
@@ -78,6 +79,7 @@ TEST(Fuzzed, Recordings) {
 }
 TEST(Fuzzed, Settings) { fuzz("settings", read_all(FUZZ_FOLDER "/corpus/settings", 20'000), try_as_settings); }
 TEST(Fuzzed, Xsp) { fuzz("xsp", read_all(FUZZ_FOLDER "/corpus/xsp", 20'000), try_as_xsp); }
+TEST(Fuzzed, Xml) { fuzz("xml", read_all(FUZZ_FOLDER "/corpus/xml", 20'000), try_as_xml); }
 TEST(Fuzzed, Obj) { fuzz("obj", read_all(FUZZ_FOLDER "/corpus/obj", 20'000), try_as_obj); }
 TEST(Fuzzed, Png) { fuzz("png", read_all(FUZZ_FOLDER "/corpus/png", 20'000), try_as_png); }
 
