@@ -434,7 +434,7 @@ class Scene(Parameterized, Shapes):
                 tolerance: float | None = None, threads: int = 1, progress: bool | None = None) -> CaptureResult:
         """Draws the scene as it moves, without a display, as `hooke capture`.
 
-        out: a .png for the last picture only, a folder for all, or a .mp4 (by ffmpeg)
+        out: a .png for the last picture only, a folder for all, or a film: .mp4 (by ffmpeg), .webp or .gif
         seconds: simulated time from the first picture to the last [s], default 0; or frames: the number of pictures
         fps: pictures per simulated second [1/s]; size: (width, height) [px]; scale: of points, lines and panels
         ui: include the panels; stamp: write time, error and method into each picture; report: a folder for report.csv and report.json
