@@ -20,8 +20,11 @@ GpuDevice& device() {
 class SharedDevice final : public FrameDevice {
  public:
   bool advance(const Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) override {
-    return device().advance(plan, steps, motion, broken);
+    const bool done = device().advance(plan, steps, motion, broken);
+    frames += done ? 1 : 0;
+    return done;
   }
+  int frames = 0;
 };
 
 struct Case {
@@ -58,8 +61,10 @@ constexpr Case cases[] = {
 
 State run_on(const Scene& scene, bool on_device, int frames) {
   Lab lab(scene, KeepStart::No);
-  if (on_device) lab.set_execution({.device = std::make_shared<SharedDevice>()});
+  const auto shared = std::make_shared<SharedDevice>();
+  if (on_device) lab.set_execution({.device = shared});
   run(lab, frames);
+  EXPECT_EQ(shared->frames, on_device ? frames : 0);
   return lab.scene().state;
 }
 

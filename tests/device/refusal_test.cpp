@@ -24,7 +24,7 @@ TEST(DeviceRefusal, NamesTheFeature) {
   EXPECT_EQ(reason(R"(, "contact": {"springs": true, "thickness": 0.01})"), "contact of faces and springs");
   EXPECT_EQ(reason(R"(, "colliders": [{"type": "plane", "point": [0, -1, 0], "normal": [0, 1, 0], "one_way": true}])"),
             "planes that act one way");
-  EXPECT_EQ(reason(R"(, "strain_limit": 0.1)"), "the strain limit");
+  EXPECT_EQ(reason(R"(, "strain_limit_percent": 10)"), "the strain limit");
   for (const std::string force : {"bending", "pressure", "buoyancy", "center", "mass_center", "wall", "sticky"})
     EXPECT_EQ(reason(R"(, "forces": [{"type": ")" + force + R"("}])"), "the force " + force);
   EXPECT_EQ(reason(R"(, "forces": [{"type": "wind"}, {"type": "wind"}])"), "more than one wind");
@@ -46,7 +46,9 @@ TEST(DeviceRefusal, NamesTheMethodAndWhereItsDashpotsAreForces) {
     const bool runs = &method == &symplectic_euler || &method == &velocity_verlet || &method == &velocity_verlet_explicit;
     const std::string why = reason("", method);
     EXPECT_EQ(why.empty(), runs) << method.id;
-    if (!runs) EXPECT_EQ(why.substr(0, why.find(':')), "the method " + std::string(method.id));
+    if (!runs) {
+      EXPECT_EQ(why.substr(0, why.find(':')), "the method " + std::string(method.id));
+    }
   }
   EXPECT_EQ(reason("", symplectic_euler, R"(, "damping": 1)"), "");
   EXPECT_EQ(reason("", velocity_verlet_explicit, R"(, "damping": 1)"), "");
