@@ -247,11 +247,14 @@ const Parameter& parameter_of(const char* owner, const std::string& name) {
   }
 }
 
-Execution execution_of(const Lab& lab, std::int64_t threads, const std::string& precision) {
+Execution execution_of(const Lab& lab, std::int64_t threads, const std::string& precision, const std::string& device) {
   check_option("threads", static_cast<double>(threads), {.min = 1, .max = max_parts});
   const bool is_single = precision == "single";
   if (!is_single && precision != "double") throw OptionError("precision", printable(precision, 80), "must be double or single");
-  return make_execution(lab, static_cast<int>(threads), is_single ? Precision::Single : Precision::Double);
+  if (device != "cpu" && device != "gpu") throw OptionError("device", printable(device, 80), "must be cpu or gpu");
+  return make_execution(lab, {.threads = static_cast<int>(threads),
+                              .precision = is_single ? Precision::Single : Precision::Double,
+                              .device = device == "gpu" ? Device::Gpu : Device::Cpu});
 }
 
 SetParameter setting_of(const char* owner, const std::string& name, const std::string& value) {

@@ -39,8 +39,8 @@ struct UnknownName : UsageError {
   using UsageError::UsageError;
 };
 
-// For the arguments threads and precision. Throws UsageError.
-Execution execution_of(const Lab& lab, std::int64_t threads, const std::string& precision = "double");
+// For the arguments threads, precision and device. Throws UsageError.
+Execution execution_of(const Lab& lab, std::int64_t threads, const std::string& precision = "double", const std::string& device = "cpu");
 
 // The parameter of scene["NAME"] with the owner "scene", and its new value. Throws UsageError 'scene["NAME"]: VALUE: must be ...'.
 const Parameter& parameter_of(const char* owner, const std::string& name);
