@@ -164,7 +164,7 @@ struct Search {
 // The panel of the runs beside the run on screen. Closing it ends them.
 struct Ghosts {
   bool is_shown = false;
-  bool with_exact = false;
+  bool with_reference = false;
   std::vector<Settings> settings;
   static constexpr std::size_t max_settings = 4;
 };

@@ -11,7 +11,6 @@
 #include "app/edit/placement_part.h"
 #include "base/printable.h"
 #include "formats/mesh/mesh_cloth.h"
-#include "scene/warnings/warnings.h"
 
 namespace hooke {
 namespace {
@@ -143,8 +142,7 @@ void Placer::place() {
     std::vector<Collider> colliders = carried_colliders(context_.system(), context_.snapshot().state);
     context_.selection = {.points = {}, .springs = {}, .collider = static_cast<Index>(colliders.size())};
     colliders.push_back(*collider);
-    if (const auto text = small_collider_text(context_.system(), context_.snapshot().state, *collider))
-      panels_.show_toast("Note: " + *text);
+    context_.note_gaps(*collider);
     context_.lab.submit(SetColliders{std::move(colliders)}, context_.begin_gesture());
     return stop();
   }
