@@ -39,6 +39,8 @@ class Scene:
     positions: Array
     velocities: Array
     nailed: NDArray[np.bool_]
+    loads: Array
+    fixed: list[str]
     masses: Array
     radii: Array
     stiffness: Array

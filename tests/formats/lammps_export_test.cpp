@@ -47,6 +47,8 @@ TEST(LammpsExport, NamesWhatLammpsCannotRepresent) {
            {with_spring("") + R"(, "strain_limit_percent": 10)", "the strain limit"},
            {with_spring("") + R"(, "forces": [{"type": "center"}])", "the force center"},
            {with_spring("") + R"(, "contact": {"points": true})", "contact between points"},
+           {with_spring("") + R"(, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0], "load": [0, 1, 0]}])", "loads of points"},
+           {with_spring("") + R"(, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0], "fixed": "x"}])", "points on rollers"},
            {with_spring("") + R"(, "contact": {"faces": true})", "contact of faces and springs"},
            {R"("colliders": [{"type": "sphere", "center": [0, -3, 0], "radius": 1}])", "a sphere (colliders[0])"},
            {R"("colliders": [{"type": "box", "min": [0, -3, 0], "max": [1, -2, 1]}])", "a box (colliders[0])"},

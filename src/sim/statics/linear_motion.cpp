@@ -63,6 +63,7 @@ std::optional<LinearMotion> LinearMotion::about(const System& system, const std:
       motion.is_supported = true;
       continue;
     }
+    if (system.points()[i].fixed_axes != 0) return std::nullopt;
     first[i] = static_cast<Index>(motion.points.size());
     for (const Vec3& axis : axes) motion.points.push_back(i), motion.directions.push_back(axis);
   }
@@ -103,8 +104,8 @@ std::optional<LinearMotion> LinearMotion::about(const System& system, const std:
     motion.rates.block(n + i, 0, 1, n) = -stiffness.row(i) / mass;
     motion.rates.block(n + i, n, 1, n) = -damping.row(i) / mass;
     motion.rates(n + i, n + i) -= system.drag_rate();
-    motion.rates(n + i, 2 * n) =
-        force[i] / mass + glm::dot(direction, system.gravity) + system.drag_rate() * glm::dot(direction, system.wind);
+    motion.rates(n + i, 2 * n) = (force[i] + glm::dot(direction, system.points()[motion.points[static_cast<std::size_t>(i)]].load)) / mass +
+                                 glm::dot(direction, system.gravity) + system.drag_rate() * glm::dot(direction, system.wind);
   }
   LinearMotion result;
   result.matrices_ = std::move(matrices);

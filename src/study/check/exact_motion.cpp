@@ -47,6 +47,8 @@ std::optional<Vec3> common_line(const System& system, const State& state) {
     if (!is_along(x - state.position[0], size)) return std::nullopt;
   for (const Vec3& v : state.velocity)
     if (!is_along(v, std::max(1e-6, glm::length(v)))) return std::nullopt;
+  for (const Point& point : system.points())
+    if (!is_along(point.load, glm::length(point.load))) return std::nullopt;
   if (!is_along(system.gravity, glm::length(system.gravity)) || !is_along(system.drag_rate() * system.wind, 1.0)) return std::nullopt;
   return line;
 }
@@ -86,7 +88,9 @@ std::optional<HangingRope> hanging_rope(const System& system) {
       return std::nullopt;
   }
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    if (points[i].nailed || std::abs(points[i].mass - points[1].mass) > same * points[1].mass) return std::nullopt;
+    if (points[i].nailed || points[i].fixed_axes != 0 || points[i].load != Vec3(0.0) ||
+        std::abs(points[i].mass - points[1].mass) > same * points[1].mass)
+      return std::nullopt;
   const double l0 = springs[0].rest_length;
   if (!(l0 > 0.0) || !(springs[0].stiffness > 0.0) || !(glm::length(system.gravity) > 0.0)) return std::nullopt;
   return HangingRope{.length = l0 * static_cast<double>(springs.size()),
