@@ -172,7 +172,7 @@ TEST_P(Rollers, StayExactlyOnTheirAxes) {
       EXPECT_EQ(end.position[i][c], start.position[i][c]);
       EXPECT_EQ(end.velocity[i][c], 0.0);
     }
-    EXPECT_GT(std::abs(end.position[0].x - start.position[0].x), 0.01);
+    EXPECT_GT(std::abs(end.position[0].x - start.position[0].x), 0.005);
   }
 }
 
