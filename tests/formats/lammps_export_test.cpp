@@ -47,8 +47,6 @@ TEST(LammpsExport, NamesWhatLammpsCannotRepresent) {
            {with_spring("") + R"(, "strain_limit_percent": 10)", "the strain limit"},
            {with_spring("") + R"(, "forces": [{"type": "center"}])", "the force center"},
            {with_spring("") + R"(, "contact": {"points": true})", "contact between points"},
-           {with_spring("") + R"(, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0], "load": [0, 1, 0]}])", "loads of points"},
-           {with_spring("") + R"(, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0], "fixed": "x"}])", "points on rollers"},
            {with_spring("") + R"(, "contact": {"faces": true})", "contact of faces and springs"},
            {R"("colliders": [{"type": "sphere", "center": [0, -3, 0], "radius": 1}])", "a sphere (colliders[0])"},
            {R"("colliders": [{"type": "box", "min": [0, -3, 0], "max": [1, -2, 1]}])", "a box (colliders[0])"},
@@ -95,6 +93,14 @@ TEST(LammpsExport, NamesTheHandOfTheUser) {
   scene.system.grab.reset();
   scene.state.hand.collider.emplace();
   expect_refused(scene, "the hand");
+}
+
+TEST(LammpsExport, NamesLoadsAndRollers) {
+  Scene scene = two_points(with_spring(""));
+  scene.system.point(0).load = Vec3(0.0, -1.0, 0.0);
+  expect_refused(scene, "loads of points");
+  scene.system.point(0) = {.id = scene.system.points()[0].id, .fixed_axes = 1};
+  expect_refused(scene, "points on rollers");
 }
 
 TEST(LammpsExport, NamesAllReasons) {
