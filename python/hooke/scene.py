@@ -38,13 +38,15 @@ def _warn(lines: Sequence[str], stacklevel: int) -> None:
 
 
 def load(name: str | os.PathLike[str], *, weld: float | None = None, scale: float | None = None, up: str | None = None) -> Scene:
-    """Loads a shipped scene by its name, such as "cloth", or a file: .json, .obj, .xsp. See hooke.scenes().
+    """Loads a shipped scene by its name, such as "cloth", or a file: .json, .obj, .xsp, .xml. See hooke.scenes().
 
     weld: of a mesh, joins the points of open edges that are closer than this [m]
     scale: of a mesh, the length of its unit [m], 0.001 for millimeters
     up: of a mesh, the axis that points up, "y" or "z"
     """
-    return Scene._of(_hooke.Scene.load(path("name", name), import_options(weld, scale, up)))
+    scene = _hooke.Scene.load(path("name", name), import_options(weld, scale, up))
+    _warn(scene.told, 2)
+    return Scene._of(scene)
 
 
 class CaptureResult(NamedTuple):
@@ -59,9 +61,9 @@ class CaptureResult(NamedTuple):
 def _capture_options(*, seconds: float | None = None, frames: int | None = None, fps: float | None = None,
                      size: tuple[int, int] = (1280, 720), scale: float = 1.0, ui: bool = False, stamp: bool = False,
                      report: str | os.PathLike[str] | None = None, fail_above: float | None = None,
-                     camera: ArrayLike | None = None, threads: int = 1) -> dict[str, Any]:
+                     camera: ArrayLike | None = None, threads: int = 1, device: str = "cpu") -> dict[str, Any]:
     return {
-        "threads": integer("threads", threads),
+        "threads": integer("threads", threads), "device": text("device", device),
         "seconds": optional(number, "seconds", seconds), "frames": optional(integer, "frames", frames), "fps": optional(number, "fps", fps),
         "size": "x".join(str(side) for side in whole_numbers("size", size).ravel()), "scale": number("scale", scale), "ui": bool(ui),
         "stamp": bool(stamp), "report": optional(path, "report", report), "fail_above": optional(number, "fail_above", fail_above),
@@ -289,6 +291,11 @@ class Scene(Parameterized, Shapes):
         return self._bound.title
 
     @property
+    def summary(self) -> str:
+        """The size of a mesh, as `hooke run` prints it; empty for other scenes."""
+        return self._bound.summary
+
+    @property
     def description(self) -> str:
         """What to try, from the scene file."""
         return self._bound.description
@@ -319,14 +326,14 @@ class Scene(Parameterized, Shapes):
         """A copy with these options, whose warnings are given."""
         scene = self._bound.with_options(optional(text, "integrator", integrator), optional(integer, "substeps", substeps),
                                          optional(number, "frame_rate", frame_rate), optional(number, "tolerance", tolerance))
-        _warn(scene.warnings, 3)
+        _warn([line for line in scene.warnings if not any(told.endswith(line) for told in scene.told)], 3)
         return scene
 
     def run(self, seconds: float, *, sample: float | None = None, integrator: str | None = None, substeps: int | None = None,
             frame_rate: float | None = None, tolerance: float | None = None, accuracy: str = "full",
             json: str | os.PathLike[str] | None = None, csv: str | os.PathLike[str] | None = None,
             quantities: str | Sequence[str] | None = None, pc2: str | os.PathLike[str] | None = None, points: ArrayLike | None = None,
-            on_frame: Callable[[Lab], Any] | None = None, threads: int = 1, precision: str = "double",
+            on_frame: Callable[[Lab], Any] | None = None, threads: int = 1, precision: str = "double", device: str = "cpu",
             progress: bool | None = None) -> Run:
         """Runs a copy of the scene, as `hooke run --json`, with the same bits.
 
@@ -338,6 +345,7 @@ class Scene(Parameterized, Shapes):
         points: the numbers of the points to sample; None: all
         on_frame: called with the Lab at the start and after every frame, to control it; False (not None) ends the run
         threads: that compute a frame, to the same bits; precision: "single" for twice the speed where `hooke run` allows it
+        device: "gpu" for compute shaders of OpenGL, for scenes for which `hooke run --device gpu` allows it
         progress: a tqdm bar, by default on terminals and in notebooks
         """
         columns = None if quantities is None else ",".join(names("quantities", quantities))
@@ -347,7 +355,7 @@ class Scene(Parameterized, Shapes):
         if on_frame is not None and not callable(on_frame):
             raise TypeError(f"on_frame: {on_frame!r}: must be a function")
         control = None if on_frame is None else _control(on_frame)
-        execution = (integer("threads", threads), text("precision", precision))
+        execution = (integer("threads", threads), text("precision", precision), text("device", device))
         start = self._stepped(integrator, substeps, frame_rate, tolerance)
         with bar("run", progress) as shown:
             values, lab = _hooke.run(start, *arguments, *execution, control, shown)
@@ -355,9 +363,9 @@ class Scene(Parameterized, Shapes):
         return Run(values, Lab(lab), start, seconds, sampled)
 
     def lab(self, *, integrator: str | None = None, substeps: int | None = None, frame_rate: float | None = None,
-            tolerance: float | None = None, accuracy: str = "off", threads: int = 1, precision: str = "double") -> Lab:
+            tolerance: float | None = None, accuracy: str = "off", threads: int = 1, precision: str = "double", device: str = "cpu") -> Lab:
         """A laboratory with a copy of the scene, to step frame by frame. Options: those of run."""
-        options = (text("accuracy", accuracy), integer("threads", threads), text("precision", precision))
+        options = (text("accuracy", accuracy), integer("threads", threads), text("precision", precision), text("device", device))
         return Lab(_hooke.Lab(self._stepped(integrator, substeps, frame_rate, tolerance), *options))
 
     def bench(self, methods: Sequence[str] = (), *, tolerance_range: tuple[float, float] | None = None, quick: bool = False,
@@ -434,17 +442,17 @@ class Scene(Parameterized, Shapes):
                 size: tuple[int, int] = (1280, 720), scale: float = 1.0, ui: bool = False, stamp: bool = False,
                 report: str | os.PathLike[str] | None = None, fail_above: float | None = None, camera: ArrayLike | None = None,
                 integrator: str | None = None, substeps: int | None = None, frame_rate: float | None = None,
-                tolerance: float | None = None, threads: int = 1, progress: bool | None = None) -> CaptureResult:
+                tolerance: float | None = None, threads: int = 1, device: str = "cpu", progress: bool | None = None) -> CaptureResult:
         """Draws the scene as it moves, without a display, as `hooke capture`.
 
-        out: a .png for the last picture only, a folder for all, or a .mp4 (by ffmpeg)
+        out: a .png for the last picture only, a folder for all, or a film: .mp4 (by ffmpeg), .webp or .gif
         seconds: simulated time from the first picture to the last [s], default 0; or frames: the number of pictures
         fps: pictures per simulated second [1/s]; size: (width, height) [px]; scale: of points, lines and panels
         ui: include the panels; stamp: write time, error and method into each picture; report: a folder for report.csv and report.json
         fail_above: a limit of the accumulated error [m]; camera: the eye and its target, six numbers [m]
         """
         options = _capture_options(seconds=seconds, frames=frames, fps=fps, size=size, scale=scale, ui=ui, stamp=stamp, report=report,
-                                   fail_above=fail_above, camera=camera, threads=threads)
+                                   fail_above=fail_above, camera=camera, threads=threads, device=device)
         file = path("out", out)
         start = self._stepped(integrator, substeps, frame_rate, tolerance)
         with bar("capture", progress) as shown:
@@ -462,7 +470,8 @@ class Scene(Parameterized, Shapes):
                 return picture.read()
 
     def __repr__(self) -> str:
-        return f"Scene({self.title or self.name!r}, {self.point_count} points, {self.spring_count} springs)"
+        what = self.summary or f"{self.title or self.name!r}, {self.point_count} points"
+        return f"Scene({what}, {self.spring_count} springs)"
 
 
 def _sweep_part(job: tuple[Scene, dict[str, Any], str, str]) -> None:

@@ -1,9 +1,11 @@
 #include "batch/scene_options.h"
 
 #include <atomic>
+#include <stdexcept>
 
 #include "base/file_limits.h"
 #include "base/threads/thread_team.h"
+#include "device/gpu_device.h"
 #include "edit/apply.h"
 #include "formats/open_file.h"
 #include "scene/parameters.h"
@@ -92,11 +94,21 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
     loaded.warnings.push_back("substeps: " + std::to_string(scene.settings.substeps) + ": not used: auto chooses the substeps");
 }
 
-Execution make_execution(const Lab& lab, int threads, Precision precision) {
-  Execution execution{.team = threads > 1 ? std::make_shared<ThreadTeam>(threads) : nullptr, .single = nullptr};
-  if (precision == Precision::Double) return execution;
-  if (const std::string needs = needs_double_precision(lab.plan(), lab.scene().settings); !needs.empty())
-    throw OptionError("precision", "single", "not for " + needs);
+Execution make_execution(const Lab& lab, const ExecutionOptions& options) {
+  Execution execution{.team = options.threads > 1 ? std::make_shared<ThreadTeam>(options.threads) : nullptr};
+  const Settings& settings = lab.scene().settings;
+  if (options.device == Device::Gpu) {
+    if (const std::string needs = needs_processor(lab.plan(), *settings.integrator); !needs.empty())
+      throw OptionError("device", "gpu", "not for " + needs);
+    try {
+      execution.device = std::make_shared<GpuDevice>();
+    } catch (const std::runtime_error& error) {
+      throw OptionError("device", "gpu", error.what());
+    }
+  }
+  if (options.precision == Precision::Double) return execution;
+  const std::string needs = options.device == Device::Cpu ? needs_double_precision(lab.plan(), settings) : "";
+  if (!needs.empty()) throw OptionError("precision", "single", "not for " + needs);
   execution.single = std::make_shared<SinglePrecision>();
   return execution;
 }

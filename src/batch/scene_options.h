@@ -39,9 +39,16 @@ void set_options(Scene& scene, const SteppingOptions& options, const std::string
 // Sets the options of a scene loaded from `name`, and replaces the warning about its step. Throws UsageError, InputError.
 void apply_options(LoadedScene& loaded, const SteppingOptions& options, const std::string& name);
 
-// On `threads` threads; in single precision, which throws UsageError where double is needed.
+// How frames are computed.
 enum class Precision { Double, Single };
-Execution make_execution(const Lab& lab, int threads, Precision precision = Precision::Double);
+enum class Device { Cpu, Gpu };
+struct ExecutionOptions {
+  int threads = 1;
+  Precision precision = Precision::Double;
+  Device device = Device::Cpu;
+};
+// Throws UsageError where the scene needs double precision or the processor, and where this machine has no such device.
+Execution make_execution(const Lab& lab, const ExecutionOptions& options);
 
 // Loads the scene and applies the options. Throws UsageError, before reading a large file, InputError, FileError.
 LoadedScene load_with_options(const SceneOptions& options);

@@ -5,6 +5,7 @@
 #include "base/build_info.h"
 #include "base/file_limits.h"
 #include "cli/commands/commands.h"
+#include "device/gpu_device.h"
 
 namespace hooke {
 namespace {
@@ -29,7 +30,9 @@ std::string limits() {
 
 void add_general_options(CLI::App& app) {
   app.set_help_flag("-h,--help", "Print this help and exit");
-  app.set_version_flag("--version", "hooke-headless " + std::string(program_version), "Print the version and exit");
+  app.set_version_flag(
+      "--version", [] { return "hooke-headless " + std::string(program_version) + "\n" + describe_gpu(); },
+      "Print the version, and what --device gpu computes on, and exit");
   // thrown like the version, so that it takes precedence over other errors of the command line
   app.add_flag_callback(
       "--limits", [] { throw CLI::CallForVersion(limits(), 0); }, "Print the limits of scene files and exit");

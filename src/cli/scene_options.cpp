@@ -8,6 +8,7 @@
 #include "base/file_limits.h"
 #include "base/printable.h"
 #include "base/text_lines.h"
+#include "device/gpu_device.h"
 #include "formats/file_kind.h"
 #include "scene/parameter_value.h"
 #include "sim/forces/bands.h"
@@ -91,6 +92,18 @@ void add_threads_option(CLI::App& app, int& threads) {
       ->type_name("N")
       ->check(within({.min = 1, .max = max_parts}))
       ->capture_default_str();
+}
+
+void add_device_option(CLI::App& app, Device& device) {
+  app.add_option("--device", device,
+                 "cpu, the default, or gpu: compute shaders of OpenGL 4.3 step scenes of springs, nails, colliders and wind, with "
+                 "symplectic_euler, velocity_verlet and velocity_verlet_explicit")
+      ->type_name("cpu|gpu")
+      ->transform(one_of({"cpu", "gpu"}));  // as Device lists them
+}
+
+void print_device(const Execution& execution) {
+  if (const auto* gpu = dynamic_cast<const GpuDevice*>(execution.device.get())) std::cerr << "computed by " << gpu->renderer() << "\n";
 }
 
 void add_fail_above_option(CLI::App& app, std::optional<double>& limit) {

@@ -23,8 +23,11 @@ std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene = S
 // The first option given that changes how a scene is read or stepped, such as "--substeps"; none if only SCENE and --quiet are given.
 std::optional<std::string> first_stepping_option(const CLI::App& app);
 
-// Declares --threads N, on which frames are computed.
+// Declares --threads N, on which frames are computed; and --device.
 void add_threads_option(CLI::App& app, int& threads);
+void add_device_option(CLI::App& app, Device& device);
+// Writes the renderer that computes the frames to stderr, if one does.
+void print_device(const Execution& execution);
 
 // Declares --fail-above: the limit of an ErrorLimit (batch/capture_report.h) [m].
 void add_fail_above_option(CLI::App& app, std::optional<double>& limit);

@@ -33,7 +33,10 @@ CaptureOptions capture_options(const std::string& out, const py::dict& options) 
   return parsed;
 }
 
-std::int64_t threads_of(const py::dict& options) { return options.contains("threads") ? options["threads"].cast<std::int64_t>() : 1; }
+Execution execution_from(const Lab& lab, const py::dict& options) {
+  const std::int64_t threads = options.contains("threads") ? options["threads"].cast<std::int64_t>() : 1;
+  return execution_of(lab, threads, "double", options.contains("device") ? options["device"].cast<std::string>() : "cpu");
+}
 
 // (diverged, the first frame beyond fail_above, the difference of a replay, the message of a divergence)
 py::tuple capture(Lab& lab, const CaptureOptions& options, double length, const Scene* start, const py::object& progress) {
@@ -55,7 +58,7 @@ py::tuple capture(Lab& lab, const CaptureOptions& options, double length, const 
 py::tuple capture_scene(const NamedScene& scene, const std::string& out, const py::dict& options, const py::object& progress) {
   const CaptureOptions parsed = capture_options(out, options);
   Lab lab(scene.scene(), KeepStart::No);
-  lab.set_execution(execution_of(lab, threads_of(options)));
+  lab.set_execution(execution_from(lab, options));
   return capture(lab, parsed, 0.0, &scene.scene(), progress);
 }
 
@@ -63,7 +66,7 @@ py::tuple capture_recording(const std::string& log, const std::string& out, cons
   const CaptureOptions parsed = capture_options(out, options);
   const auto recording = std::make_shared<const Recording>(read_recording(log));
   Lab lab(*recording->start, KeepStart::No);
-  lab.set_execution(execution_of(lab, threads_of(options)));
+  lab.set_execution(execution_from(lab, options));
   lab.submit(Play{recording});
   lab.advance(0.0, [] { return true; });
   return capture(lab, parsed, static_cast<double>(recording->frames) / lab.scene().settings.frame_rate, nullptr, progress);

@@ -240,11 +240,12 @@ AccuracyMode accuracy_named(const std::string& name) {
 
 void bind_lab(py::module_& module) {
   py::class_<NamedLab, std::shared_ptr<NamedLab>>(module, "Lab")
-      .def(py::init([](const NamedScene& scene, const std::string& accuracy, std::int64_t threads, const std::string& precision) {
+      .def(py::init([](const NamedScene& scene, const std::string& accuracy, std::int64_t threads, const std::string& precision,
+                       const std::string& device) {
         const AccuracyMode mode = accuracy_named(accuracy);
         auto lab = std::make_shared<NamedLab>(scene, KeepStart::Yes);
         lab->accuracy = accuracy;
-        lab->lab.set_execution(execution_of(lab->lab, threads, precision));
+        lab->lab.set_execution(execution_of(lab->lab, threads, precision, device));
         submit(*lab, SetAccuracy{mode});
         return lab;
       }))

@@ -91,7 +91,7 @@ std::vector<Index> points_of(const std::optional<std::vector<std::int64_t>>& num
 
 py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sample, const std::string& accuracy, const RunFiles& files,
               const std::optional<std::vector<std::int64_t>>& sampled, std::int64_t threads, const std::string& precision,
-              py::object on_frame, py::object progress) {
+              const std::string& device, py::object on_frame, py::object progress) {
   RunRequest request{.seconds = seconds, .sample = sample, .accuracy = accuracy_named(accuracy)};
   if (sample) check_option("sample", *sample, positive);
   if (files.quantities && !files.csv) throw UsageError("quantities: requires csv");
@@ -99,7 +99,7 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
   const long frames = count_frames(seconds, frame_rate);
   const auto lab = std::make_shared<NamedLab>(scene, KeepStart::No);
   lab->accuracy = accuracy;
-  lab->lab.set_execution(execution_of(lab->lab, threads, precision));
+  lab->lab.set_execution(execution_of(lab->lab, threads, precision, device));
   const std::vector<Index> points = points_of(sampled, scene.scene().system.point_count());
   // a run that ends between two samples adds one
   Samples samples(lab->lab, points, SampleClock::max_count(sample, frame_rate, frames) + 1);
@@ -183,9 +183,9 @@ void bind_run(py::module_& module) {
              [](const NamedScene& scene, double seconds, std::optional<double> sample, const std::string& accuracy,
                 const std::optional<std::string>& json, const std::optional<std::string>& csv, const std::optional<std::string>& quantities,
                 const std::optional<std::string>& pc2, const std::optional<std::vector<std::int64_t>>& points, std::int64_t threads,
-                const std::string& precision, py::object on_frame, py::object progress) {
+                const std::string& precision, const std::string& device, py::object on_frame, py::object progress) {
                return run(scene, seconds, sample, accuracy, {.json = json, .csv = csv, .pc2 = pc2, .quantities = quantities}, points,
-                          threads, precision, std::move(on_frame), std::move(progress));
+                          threads, precision, device, std::move(on_frame), std::move(progress));
              });
 }
 

@@ -19,6 +19,7 @@ struct NamedScene {
   std::string name;
   LoadedScene loaded;
   std::vector<ForceFunction> functions{};
+  std::vector<std::string> told{};  // the warnings that the function which loaded it gave
   // The options of the last run and its warnings, which take longer than a short run and are the same until the scene changes.
   struct Checked {
     SteppingOptions options;
@@ -38,8 +39,8 @@ struct UnknownName : UsageError {
   using UsageError::UsageError;
 };
 
-// For the arguments threads and precision. Throws UsageError.
-Execution execution_of(const Lab& lab, std::int64_t threads, const std::string& precision = "double");
+// For the arguments threads, precision and device. Throws UsageError.
+Execution execution_of(const Lab& lab, std::int64_t threads, const std::string& precision = "double", const std::string& device = "cpu");
 
 // The parameter of scene["NAME"] with the owner "scene", and its new value. Throws UsageError 'scene["NAME"]: VALUE: must be ...'.
 const Parameter& parameter_of(const char* owner, const std::string& name);

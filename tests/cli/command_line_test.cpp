@@ -29,7 +29,10 @@ TEST(Headless, HelpVersionAndLimitsGoToStdoutForEveryCommand) {
       EXPECT_EQ(outcome.err, "");
       return outcome.out;
     };
-    EXPECT_EQ(output_of("--version"), std::string("hooke-headless ") + program_version + "\n");
+    const std::vector<std::string> version = lines_of(output_of("--version"));
+    ASSERT_EQ(version.size(), 2u);
+    EXPECT_EQ(version[0], std::string("hooke-headless ") + program_version);
+    EXPECT_EQ(version[1].substr(0, 5), "GPU: ");
     EXPECT_NE(output_of("--help").find("Exit codes: 0 success"), std::string::npos);
     EXPECT_NE(output_of("--limits").find("at most 256 MiB"), std::string::npos);
   }

@@ -39,7 +39,7 @@ double bytes_per_spring(int n, int frames) {
       n, n);
   const double peak = peak_memory({program, "run", scene, "--seconds", std::to_string(frames / 30.0), "--accuracy", "off", "--points", "0",
                                    "--json", scratch.folder / "result.json"});
-  return (peak - peak_memory({program, "--version"})) / (4.0 * n * n - 6.0 * n + 2.0);
+  return (peak - peak_memory({program, "--limits"})) / (4.0 * n * n - 6.0 * n + 2.0);
 }
 
 TEST(RunMemory, IsAtMost120BytesPerSpringOfALargeCloth) { EXPECT_LE(bytes_per_spring(1024, 3), 120.0); }

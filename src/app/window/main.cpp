@@ -13,6 +13,7 @@
 #include "app/document/files.h"
 #include "app/window/loop.h"
 #include "base/printable.h"
+#include "device/gpu_device.h"
 #include "formats/open_file.h"
 #include "lab/recording.h"
 
@@ -88,7 +89,7 @@ int start(int count, char** arguments) {
   bool from_desktop = false, reset_settings = false;
   line.add_flag("--from-desktop", from_desktop, "Show in the window why SCENE cannot be opened, where no terminal would show it.");
   line.add_flag("--reset-settings", reset_settings, "Delete the saved settings and start with the defaults.");
-  line.set_version_flag("--version", "hooke " HOOKE_VERSION);
+  line.set_version_flag("--version", [] { return "hooke " HOOKE_VERSION "\n" + describe_gpu(); });
   line.footer("Without a window: hooke run|capture|convert ... (hooke run --help).");
   try {
     line.parse(count, arguments);

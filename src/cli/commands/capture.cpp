@@ -19,7 +19,7 @@ namespace {
 
 struct Options : CaptureOptions {
   std::shared_ptr<SceneOptions> scene;
-  int threads = 1;
+  ExecutionOptions execution;
   std::optional<std::string> replay;  // a recording, instead of a scene
 };
 
@@ -43,7 +43,8 @@ int capture(const Options& options) {
     std::cerr << "warning: " << (assets_folder() / "fonts").string() << ": no DejaVu Sans: text is drawn with another font\n";
   std::shared_ptr<const Recording> recording;
   Lab lab = open_lab(options, recording);
-  lab.set_execution(make_execution(lab, options.threads));
+  lab.set_execution(make_execution(lab, options.execution));
+  if (!options.scene->quiet) print_device(lab.plan().execution);
   const double length = recording ? static_cast<double>(recording->frames) / lab.scene().settings.frame_rate : 0.0;
   catch_interrupts(lab);
   std::optional<ProgressBar> progress;
@@ -80,9 +81,10 @@ std::function<int()> declare_capture(CLI::App& app) {
   app.add_option("--replay", options->replay,
                  "A recording (" + std::string(recording_extension) + ") to replay instead of SCENE, by default to its end")
       ->type_name("LOG");
-  app.add_option("--out", options->out, "A .png for the last picture only, a folder for all (frame_00000.png, ...), or a .mp4 (by ffmpeg)")
+  app.add_option("--out", options->out,
+                 "A .png for the last picture only, a folder for all (frame_00000.png, ...), or a film: .mp4 (by ffmpeg), .webp or .gif")
       ->required()
-      ->type_name("FILE.png|DIR|FILE.mp4");
+      ->type_name("FILE|DIR");
   CLI::Option* seconds = app.add_option("--seconds", options->seconds, "Simulated time from the first picture to the last [s]; default: 0")
                              ->type_name("S")
                              ->check(within(not_negative));
@@ -99,7 +101,8 @@ std::function<int()> declare_capture(CLI::App& app) {
       ->check(within({.min = 0.5, .max = 4.0}))
       ->capture_default_str();
   add_import_options(app, options->scene->import);
-  add_threads_option(app, options->threads);
+  add_threads_option(app, options->execution.threads);
+  add_device_option(app, options->execution.device);
   app.add_flag("--ui", options->panels, "Include the panels of the window");
   app.add_option(
          "--report", options->report,

@@ -33,7 +33,7 @@ int replay(const ReplayOptions& options) {
     std::cerr << "warning: " << printable(options.log) << ": its last line is incomplete; replaying up to there\n";
 
   Lab lab(*recording->start, KeepStart::No);
-  lab.set_execution(make_execution(lab, options.threads));
+  lab.set_execution(make_execution(lab, {.threads = options.threads}));
   const Scene& scene = lab.scene();
   RunOutput output(options.output.files, options.log, scene, parse_points(options.output.points, scene.system.point_count()));
   const RunRequest request{.sample = options.output.sample,

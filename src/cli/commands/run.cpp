@@ -26,8 +26,7 @@ struct RunOptions {
   std::shared_ptr<SceneOptions> scene;
   double seconds = 0.0;  // [s]
   OutputOptions output;
-  int threads = 1;
-  Precision precision = Precision::Double;
+  ExecutionOptions execution;
   std::optional<double> fail_above;   // [m]
   std::optional<std::string> engine;  // "mpirun -np 2 lmp"; none: this program computes the frames
 };
@@ -109,7 +108,8 @@ int run(const RunOptions& options) {
     throw UsageError("--fail-above: requires --accuracy full");
   if (options.engine) return run_engine(options);
   Lab lab(open_scene(*options.scene), KeepStart::No);
-  lab.set_execution(make_execution(lab, options.threads, options.precision));
+  lab.set_execution(make_execution(lab, options.execution));
+  if (!options.scene->quiet) print_device(lab.plan().execution);
   const Scene& scene = lab.scene();
   RunRequest request{.seconds = options.seconds, .sample = options.output.sample};
   count_frames(request.seconds, scene.settings.frame_rate);
@@ -166,8 +166,9 @@ std::function<int()> declare_run(CLI::App& app) {
   app.add_option("--pc2", options->output.files.pc2, "Write the positions of all points in every frame as a point cache")
       ->type_name("FILE");
   add_fail_above_option(app, options->fail_above);
-  add_threads_option(app, options->threads);
-  app.add_option("--precision", options->precision,
+  add_threads_option(app, options->execution.threads);
+  add_device_option(app, options->execution.device);
+  app.add_option("--precision", options->execution.precision,
                  "double, the default, or single for twice the speed: velocity_verlet and symplectic_euler, for grids of springs without "
                  "dashpots, with gravity "
                  "and air")
@@ -177,6 +178,7 @@ std::function<int()> declare_run(CLI::App& app) {
                  "Let LAMMPS compute the frames: a command such as \"mpirun -np 8 lmp\", whose words are separated by blanks")
       ->type_name("COMMAND")
       ->excludes(app.get_option("--threads"))
+      ->excludes(app.get_option("--device"))
       ->excludes(app.get_option("--fail-above"))
       ->excludes(app.get_option("--precision"));
   return [options] { return run(*options); };

@@ -8,6 +8,7 @@
 #include "sim/forces/spring_limits.h"
 #include "sim/methods/implicit/supernodal_factor.h"
 #include "sim/step/constants.h"
+#include "sim/step/frame_device.h"
 
 namespace hooke {
 namespace {
@@ -70,6 +71,9 @@ void Substep::prepare_method(const Plan& plan, double h, const Motion& motion) {
 }
 
 int Substep::advance(Plan& plan, Motion& motion, int done) {
+  if (done == 0 && plan.execution.device != nullptr &&
+      plan.execution.device->advance(plan, {*method_, h_, count_, locates_breaks_}, motion, broken_))
+    return count_;
   if (const int taken = take_several(plan, motion, done); taken > 0) return taken;
 
   bool is_moved = false;

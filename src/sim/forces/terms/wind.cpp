@@ -46,10 +46,14 @@ double smooth_noise(double t, double seed) {
   return (1.0 - blend) * random_at(place, seed) + blend * random_at(place + 1, seed);
 }
 
+}  // namespace
+
 Vec3 wind_at(const Plan& plan, const ForceValues& values, double time) {
   const double gust = 1.0 + values[5] * smooth_noise(time / values[6], values[7]);
   return gust * Vec3(values[0], values[1], plan.dimensions == 3 ? values[2] : 0.0);
 }
+
+namespace {
 
 // The flow of air past a face: its normal speed and tangential velocity.
 struct Flow {

@@ -16,6 +16,9 @@ struct Wind {
   double normal = 0.0, tangential = 0.0;  // [kg/m^3], a and b
 };
 
+// [m/s], of the air at `time` [s], for values of the force `wind`.
+Vec3 wind_at(const Plan& plan, const ForceValues& values, double time);
+
 // [m^4], of twice the area of a face: smaller ones feel no wind, since they have no direction that could be computed.
 inline constexpr double min_square_of_area = std::numeric_limits<double>::min();
 

@@ -1,0 +1,117 @@
+// Forces at the positions, a kick of the velocities, and a drift: one thread for each point, which sums the forces of its own springs in a
+// fixed order.
+
+real3 spring_force(real3 x, real3 v, ivec2 neighbor) {
+  Spring spring = springs[neighbor.y];
+  real3 along = x - from[neighbor.x].xyz;
+  real square = dot(along, along);
+  if (square == 0.0) return real3(0.0);
+  real len = sqrt(square);
+  real extension = len - spring.rest_length;
+  if (spring.only_pulls != 0.0 && !(extension > 0.0)) return real3(0.0);
+  real tension = spring.stiffness * extension;
+#if DASHPOTS
+  tension += spring.damping * dot(along, v - from[acting + neighbor.x].xyz) / len;
+#endif
+  return -tension / len * along;
+}
+
+#if PULL
+// The hand's spring acts on the weighted mean of the pulled points.
+real3 pull_force(int i) {
+  real3 stretch = -moments[moment].target.xyz, force = real3(0.0);
+  for (int p = 0; p < 3; ++p) stretch += pull[p] * from[pulled[p]].xyz;
+  for (int p = 0; p < 3; ++p)
+    if (pulled[p] == i) force -= pull.w * pull[p] * stretch;
+  return force;
+}
+#endif
+
+#if WIND
+// The force of the air on each corner of a panel (src/sim/forces/terms/wind.cpp).
+real3 panel_force(ivec4 panel) {
+  bool is_quad = panel.w >= 0;
+  real3 a = from[panel.x].xyz, b = from[panel.y].xyz, c = from[panel.z].xyz;
+  real3 velocity = from[acting + panel.x].xyz + from[acting + panel.y].xyz + from[acting + panel.z].xyz;
+  if (is_quad) velocity += from[acting + panel.w].xyz;
+  real corners = is_quad ? 4.0 : 3.0;
+  real3 twice_area = is_quad ? cross(c - a, from[panel.w].xyz - b) : cross(b - a, c - a);
+  real square = dot(twice_area, twice_area);
+  if (!(square > 0.0)) return real3(0.0);
+  real3 past = moments[moment].wind.xyz - velocity / corners;
+  real flux = dot(past, twice_area), across = flux / square;
+  real3 along = past - across * twice_area;
+  real of_normal = air.x / (2.0 * corners) * abs(flux) * across;
+  real of_tangential = air.y / (2.0 * corners) * sqrt(square * dot(along, along));
+  return of_normal * twice_area + of_tangential * along;
+}
+
+real3 wind_force(int i, real3 v) {
+  real3 force = real3(0.0);
+#if WIND == 2
+  // a scene without faces: on each point
+  real3 past = moments[moment].wind.xyz - v;
+  force = air.x * PI * radius[i] * radius[i] * sqrt(dot(past, past)) * past;
+#else
+  for (int p = first_panel[i]; p < first_panel[i + 1]; ++p) force += panel_force(panels[panel_of[p]]);
+#endif
+  return force;
+}
+#endif
+
+#if GRID
+// The spring of a cell: along the row, down, or on one of both diagonals (src/sim/plan/grid.h).
+int spring_of(int direction, int row, int column) {
+  return (direction * STORED_ROWS + (STORED_ROWS == 1 ? 0 : row)) * COLUMNS + column;
+}
+
+real3 springs_force(int i, real3 x, real3 v) {
+  int row = i / COLUMNS, column = i % COLUMNS;
+  bool up = row > 0, down = row + 1 < ROWS, left = column > 0, right = column + 1 < COLUMNS;
+  real3 force = real3(0.0);
+  if (right) force += spring_force(x, v, ivec2(i + 1, spring_of(0, row, column)));
+  if (left) force += spring_force(x, v, ivec2(i - 1, spring_of(0, row, column - 1)));
+  if (down) force += spring_force(x, v, ivec2(i + COLUMNS, spring_of(1, row, column)));
+  if (up) force += spring_force(x, v, ivec2(i - COLUMNS, spring_of(1, row - 1, column)));
+  if (down && right) force += spring_force(x, v, ivec2(i + COLUMNS + 1, spring_of(2, row, column)));
+  if (up && left) force += spring_force(x, v, ivec2(i - COLUMNS - 1, spring_of(2, row - 1, column - 1)));
+  if (down && left) force += spring_force(x, v, ivec2(i + COLUMNS - 1, spring_of(3, row, column - 1)));
+  if (up && right) force += spring_force(x, v, ivec2(i - COLUMNS + 1, spring_of(3, row - 1, column)));
+  return force;
+}
+#else
+real3 springs_force(int i, real3 x, real3 v) {
+  real3 force = real3(0.0);
+  for (int n = first_neighbor[i]; n < first_neighbor[i + 1]; ++n) force += spring_force(x, v, neighbors[n]);
+  return force;
+}
+#endif
+
+real3 acceleration_of(int i, real4 x, real3 v) {
+  real3 force = springs_force(i, x.xyz, v);
+#if PULL
+  force += pull_force(i);
+#endif
+#if WIND
+  force += wind_force(i, v);
+#endif
+  return acceleration.xyz + x.w * force;
+}
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= points) return;
+  real4 x = from[i], v = from[points + i], predicted = v;
+  Pass by = passes[pass];
+  if (x.w != 0.0) {
+    bool is_known = reused >= 0 && events[reused] == 0u;
+    real3 a = is_known ? accelerations[i].xyz : acceleration_of(i, x, from[acting + i].xyz);
+    accelerations[i].xyz = a;
+    v.xyz = by.decay * v.xyz + by.weight * a;
+    predicted.xyz = by.ahead_decay * v.xyz + by.ahead_weight * a;
+  }
+  x.xyz += by.drift * v.xyz;
+  to[i] = x;
+  to[points + i] = v;
+  to[2 * points + i] = predicted;
+}

@@ -1,0 +1,52 @@
+#include "device/gpu_device.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "base/option_error.h"
+#include "sim/forces/energy/plan_energy.h"
+
+namespace hooke {
+namespace {
+
+// The device does not measure works. What the energy changes in a frame is booked as the work of the first of these that the scene has; in
+// one with none of them, what no cause explains is still the method's.
+std::optional<EnergyCause> cause_of(const Plan& plan) {
+  if (plan.hand.held || plan.hand.pull) return EnergyCause::Hand;
+  if (plan.collider_paths.any_moves) return EnergyCause::Colliders;
+  if (!plan.forces.empty()) return EnergyCause::Forces;
+  if (plan.has_contact()) return EnergyCause::Contact;
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool GpuDevice::advance(const Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) {
+  if (!failure_.empty() || steps.locates_breaks) return false;
+  if (const std::string needs = needs_processor(plan, steps.method); !needs.empty()) throw OptionError("device", "gpu", "not for " + needs);
+  const std::optional<EnergyCause> cause = cause_of(plan);
+  const double before = cause ? mechanical_energy(plan, motion.time, motion) : 0.0;
+  try {
+    context_.run(
+        [&](const GlFunctions& gl) { (plan.execution.single != nullptr ? single_ : double_).advance(gl, plan, steps, motion, broken); });
+  } catch (const std::runtime_error& error) {
+    failure_ = error.what();
+    return false;
+  }
+  if (cause && broken.empty()) {
+    const double change = mechanical_energy(plan, motion.time, motion) - before;
+    motion.energy.add(*cause, *cause == EnergyCause::Contact ? std::min(0.0, change) : change);
+  }
+  return true;
+}
+
+std::string describe_gpu() {
+  try {
+    return "GPU: " + ComputeContext().renderer();
+  } catch (const std::runtime_error& error) {
+    return "GPU: " + std::string(error.what());
+  }
+}
+
+}  // namespace hooke

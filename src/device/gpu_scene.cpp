@@ -1,0 +1,210 @@
+#include "device/gpu_scene.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+
+#include "device/constants.h"
+#include "sim/forces/spring_laws.h"
+#include "sim/methods/rows.h"
+
+namespace hooke {
+
+void GpuScene::put(Binding binding, std::span<const std::byte> bytes) {
+  std::vector<std::byte>& contents = contents_[binding];
+  if (!bytes.empty() && std::ranges::equal(contents, bytes)) return;
+  contents.assign(bytes.begin(), bytes.end());
+  if (buffers_[binding] == 0) gl_->GenBuffers(1, &buffers_[binding]);
+  gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffers_[binding]);
+  constexpr std::array<double, 4> nothing{};  // a buffer must not be empty
+  if (bytes.empty()) bytes = std::as_bytes(std::span(nothing));
+  gl_->BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_DYNAMIC_DRAW);
+}
+
+void GpuScene::put(Binding binding, std::span<const double> numbers) {
+  if (is_single_)
+    put(binding, std::as_bytes(std::span<const float>(std::vector<float>(numbers.begin(), numbers.end()))));
+  else
+    put(binding, std::as_bytes(numbers));
+}
+
+template <class Number>
+std::vector<Number> GpuScene::read(GLuint buffer, std::size_t count) const {
+  std::vector<Number> numbers(count);
+  gl_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+  gl_->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(Number)), numbers.data());
+  return numbers;
+}
+
+std::vector<double> GpuScene::read_numbers(GLuint buffer, std::size_t count) const {
+  if (!is_single_) return read<double>(buffer, count);
+  const auto numbers = read<float>(buffer, count);
+  return {numbers.begin(), numbers.end()};
+}
+
+void GpuScene::upload(const Plan& plan, const FrameSteps& steps, const Motion& motion) {
+  if (!is_grid(plan) && (plan.spring.runs != runs_ || graph_.neighbors.first.size() != static_cast<std::size_t>(plan.points) + 1)) {
+    runs_ = plan.spring.runs;
+    graph_ = graph_of(plan);
+  }
+  put(FirstNeighbor, graph_.neighbors.first);
+  put(Neighbors, graph_.neighbors.items);
+  put(Springs, spring_numbers(plan));
+  put(FrameNumbers, frame_numbers(plan, steps));
+  put(Moments, moment_numbers(plan, steps, motion.time));
+  put(Panels, std::as_bytes(std::span(plan.force_data.panels)));
+  const PointLists panels = plan.force_data.panels.empty() ? PointLists() : panels_of_points(plan);
+  put(FirstPanel, panels.first);
+  put(PanelsOfPoints, panels.items);
+  put(Radii, plan.radius);
+  put(SpringEnds, graph_.ends);
+  put(Colliders, collider_numbers(plan, steps, motion.time));
+  // what passes write
+  for (const Binding binding : {BreakLimits, Events, Accelerations}) contents_[binding].clear();
+  put(BreakLimits, limit_numbers(plan));
+  put(Events, std::vector<Index>(static_cast<std::size_t>(steps.count), 0));
+  put(Accelerations, std::vector<double>(4 * static_cast<std::size_t>(plan.points)));
+}
+
+void GpuScene::upload_state(const Motion& motion) {
+  if (states_[0] == 0) gl_->GenBuffers(static_cast<int>(states_.size()), states_.data());
+  contents_[FromState].clear();
+  buffers_[FromState] = states_[0];
+  put(FromState, state_numbers(*plan_, motion));
+  for (const GLuint state : {states_[1], states_[2]}) {
+    gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, state);
+    gl_->BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(contents_[FromState].size()), nullptr, GL_DYNAMIC_DRAW);
+  }
+}
+
+std::string GpuScene::definitions() const {
+  const Plan& plan = *plan_;
+  bool damped = plan.has_dashpots();
+  for (const LawSpring& spring : plan.spring.laws.springs) damped = damped || spring.damping > 0.0;
+  std::string lines = is_single_ ? "#define real float\n#define real3 vec3\n#define real4 vec4\n#define PI 3.14159265358979323846\n"
+                                 : "#define real double\n#define real3 dvec3\n#define real4 dvec4\n#define PI 3.14159265358979323846lf\n";
+  const auto define = [&](const char* name, int value) { lines += std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
+  define("SINGLE", is_single_);
+  define("DASHPOTS", damped);
+  define("GRID", is_grid(plan));
+  if (is_grid(plan)) {
+    define("ROWS", plan.spring.grids[0].rows);
+    define("COLUMNS", plan.spring.grids[0].columns);
+    define("STORED_ROWS", stored_rows(plan.spring.grids[0]));
+  }
+  define("PULL", plan.hand.pull.has_value());
+  define("WIND", plan.forces.empty() ? 0 : plan.force_data.panels.empty() ? 2 : 1);
+  define("COLLIDERS", static_cast<int>(plan.colliders.size()));
+  define("FLAT", plan.dimensions == 2);
+  return lines;
+}
+
+// Throws std::runtime_error with the first line of what the driver says.
+GLuint GpuScene::program_of(std::string_view pass) {
+  GLuint& known = programs_[definitions_ + std::string(pass)];
+  if (known != 0) return known;
+  const auto source_of = [](std::string_view name) { return std::ranges::find(compute_sources(), name, &ComputeSource::name)->text; };
+  const std::string text = "#version 430\n" + definitions_ + std::string(source_of("common.glsl")) + std::string(source_of(pass));
+  const char* source = text.c_str();
+  const GLuint shader = gl_->CreateShader(GL_COMPUTE_SHADER), program = gl_->CreateProgram();
+  gl_->ShaderSource(shader, 1, &source, nullptr);
+  gl_->CompileShader(shader);
+  gl_->AttachShader(program, shader);
+  gl_->LinkProgram(program);
+  int is_linked = 0;
+  gl_->GetProgramiv(program, GL_LINK_STATUS, &is_linked);
+  if (is_linked != 0) return known = program;
+  std::array<char, 400> log{};
+  gl_->GetProgramInfoLog(program, static_cast<int>(log.size()), nullptr, log.data());
+  const std::string line(log.data());
+  throw std::runtime_error("the driver refuses the shader " + std::string(pass) + ": " + line.substr(0, line.find('\n')));
+}
+
+void GpuScene::run(std::string_view pass, Index threads, int from, int to, const Call& call) {
+  gl_->UseProgram(program_of(pass));
+  gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, FromState, states_[static_cast<std::size_t>(from)]);
+  gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, ToState, states_[static_cast<std::size_t>(to)]);
+  // in the order of their locations
+  const std::array<int, 6> uniforms{plan_->points, call.pass,  call.moment, (call.acts_predicted ? 2 : 1) * plan_->points,
+                                    call.substep,  call.reused};
+  for (std::size_t location = 0; location < uniforms.size(); ++location) gl_->Uniform1i(static_cast<int>(location), uniforms[location]);
+  if (const auto& pull = plan_->hand.pull) {
+    const auto point = [&](int part) { return pull->parts[static_cast<std::size_t>(part < pull->count ? part : 0)].point; };
+    gl_->Uniform3i(static_cast<int>(uniforms.size()), point(0), point(1), point(2));
+  }
+  gl_->DispatchCompute(static_cast<GLuint>((threads + device_group - 1) / device_group), 1, 1);
+  gl_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void GpuScene::move(const Call& call) {
+  const int next = (state_ + 1) % static_cast<int>(states_.size());
+  run("move.comp", plan_->points, state_, next, call);
+  state_ = next;
+}
+
+// Where nothing acts between two substeps, the last kick of one and the first of the next are one: a pass for each.
+void GpuScene::run_fused(const FrameSteps& steps) {
+  if (&steps.method == &symplectic_euler) {
+    for (int k = 0; k < steps.count; ++k) move({.pass = WholeKick, .moment = k});
+    return;
+  }
+  move({.pass = FirstHalf});
+  for (int k = 1; k < steps.count; ++k) move({.pass = WholeKick, .moment = k, .acts_predicted = true});
+  move({.pass = LastHalf, .moment = steps.count, .acts_predicted = true});
+}
+
+void GpuScene::run_one_by_one(const FrameSteps& steps) {
+  // forces at the end of a step are those of the next one, unless they depend on a velocity that was predicted
+  const bool reuses = plan_->forces.empty() || &steps.method != &velocity_verlet;
+  for (int k = 0; k < steps.count; ++k) {
+    const int start = state_;
+    if (&steps.method == &symplectic_euler) {
+      move({.pass = WholeKick, .moment = k});
+    } else {
+      move({.pass = FirstHalf, .moment = k, .substep = k, .reused = reuses ? k - 1 : -1});
+      move({.pass = LastHalf, .moment = k + 1, .acts_predicted = true, .substep = k});
+    }
+    if (!plan_->colliders.empty()) run("contact.comp", plan_->points, start, state_, {.substep = k});
+    if (!plan_->spring.break_length.empty()) run("breaks.comp", plan_->springs, state_, start, {.substep = k});
+  }
+}
+
+void GpuScene::read_broken(Motion& motion, std::vector<Index>& broken) {
+  contents_[Springs].clear();
+  const auto limits = read_numbers(buffers_[BreakLimits], 2 * plan_->spring.break_length.size());
+  for (Index s = 0; s < plan_->springs; ++s) {
+    const double length = limits[2 * static_cast<std::size_t>(s) + 1];
+    if (length == 0.0) continue;
+    ++motion.counts.breaks;
+    motion.energy.add(EnergyCause::Breaks, -response_of(*plan_, s, motion.time, length).of.energy);
+    broken.push_back(plan_->spring.index[s]);
+  }
+  std::sort(broken.begin(), broken.end());
+}
+
+void GpuScene::advance(const GlFunctions& gl, const Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) {
+  gl_ = &gl;
+  plan_ = &plan;
+  definitions_ = definitions();
+  state_ = 0;
+  upload(plan, steps, motion);
+  upload_state(motion);
+  for (GLuint binding = Accelerations; binding < bindings; ++binding)
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers_[binding]);
+
+  const bool acts_between = plan.has_contact() || !plan.spring.break_length.empty();
+  const bool changes_wind = !plan.forces.empty() && &steps.method == &velocity_verlet;
+  acts_between || changes_wind ? run_one_by_one(steps) : run_fused(steps);
+
+  const auto events = read<std::uint32_t>(buffers_[Events], static_cast<std::size_t>(steps.count));
+  const auto numbers = read_numbers(states_[static_cast<std::size_t>(state_)], 8 * static_cast<std::size_t>(plan.points));
+  if (const GLenum error = gl.GetError(); error != GL_NO_ERROR)
+    throw std::runtime_error(error == GL_OUT_OF_MEMORY ? "out of memory" : "error " + std::to_string(error) + " of OpenGL");
+  motion.time += steps.count * steps.h;
+  motion.counts.force_evaluations += steps.count;
+  read_state(numbers, plan, motion);
+  if (std::ranges::any_of(events, [](std::uint32_t event) { return (event & 2u) != 0; })) read_broken(motion, broken);
+}
+
+}  // namespace hooke

@@ -1,0 +1,63 @@
+// A scene as the buffers of shaders/compute/common.glsl, in float or double.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/forces/motion.h"
+#include "sim/methods/integrator.h"
+#include "sim/step/frame_device.h"
+
+namespace hooke {
+
+// The bindings of the buffers.
+enum Binding {
+  FromState,
+  ToState,
+  Accelerations,
+  FirstNeighbor,
+  Neighbors,
+  Springs,
+  FrameNumbers,
+  Moments,
+  Panels,
+  FirstPanel,
+  PanelsOfPoints,
+  Radii,
+  Events,
+  SpringEnds,
+  BreakLimits,
+  Colliders,
+};
+inline constexpr int bindings = Colliders + 1;
+
+// Which items belong to each point, in ascending order: items[first[i]] .. items[first[i + 1] - 1].
+struct PointLists {
+  std::vector<Index> first, items;
+};
+
+// The ends of the packed springs, and for each point the pairs (other end, spring).
+struct SpringGraph {
+  std::vector<Index> ends;
+  PointLists neighbors;
+};
+SpringGraph graph_of(const Plan& plan);
+// The panels of each point.
+PointLists panels_of_points(const Plan& plan);
+
+// Whether all points are one grid, whose springs need no lists; and of how many of its rows the springs are stored: 1 if all are the same.
+bool is_grid(const Plan& plan);
+Index stored_rows(const Grid& grid);
+
+// All numbers below are those of the structs of the shaders, in their order.
+std::vector<double> state_numbers(const Plan& plan, const Motion& motion);
+void read_state(const std::vector<double>& numbers, const Plan& plan, Motion& motion);
+std::vector<double> spring_numbers(const Plan& plan);
+std::vector<double> limit_numbers(const Plan& plan);
+std::vector<double> frame_numbers(const Plan& plan, const FrameSteps& steps);
+std::vector<double> moment_numbers(const Plan& plan, const FrameSteps& steps, double start);
+std::vector<double> collider_numbers(const Plan& plan, const FrameSteps& steps, double start);
+// In the order of `passes` in the frame.
+enum PassKind { WholeKick, FirstHalf, LastHalf };
+
+}  // namespace hooke
