@@ -29,6 +29,7 @@ struct Point {
   double mass = 1.0;            // [kg], > 0
   double radius = 0.02;         // [m], >= 0: for drawing, and the distance at which it touches a collider
   Vec3 load{0.0};               // [N], a constant force on it
+  bool is_plain() const { return fixed_axes == 0 && load == Vec3(0.0); }
   bool is_fixed_along(int axis) const { return (fixed_axes >> axis & 1) != 0; }
   bool operator==(const Point&) const = default;
 };

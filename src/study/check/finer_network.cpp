@@ -50,8 +50,7 @@ class NetworkRefinement {
 
   std::optional<FinerNetwork> run(Index max_points) {
     find_grids_of_springs();
-    const auto is_special = [](const Point& point) { return point.fixed_axes != 0 || point.load != Vec3(0.0); };
-    if (fine_.empty() || system_.springs().have_laws() || std::ranges::any_of(system_.points(), is_special)) return std::nullopt;
+    if (fine_.empty() || !std::ranges::all_of(system_.points(), &Point::is_plain) || system_.springs().have_laws()) return std::nullopt;
     place_points();
     if (points_.size() > static_cast<std::size_t>(max_points)) return std::nullopt;
     for (const Fine& fine : fine_) {
