@@ -258,7 +258,7 @@ class Scene(Parameterized, Shapes):
 
     @laws.setter
     def laws(self, laws: Sequence[Mapping[str, Any] | None]) -> None:
-        self._bound.laws = [None if law is None else json.dumps(dict(law)) for law in laws]
+        self._bound.laws = [None if law is None else json.dumps(json_value(f"laws[{i}]", dict(law))) for i, law in enumerate(laws)]
 
     @property
     def springs(self) -> NDArray[np.int64]:

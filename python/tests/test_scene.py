@@ -120,3 +120,15 @@ def test_save_and_load_keep_every_bit(tmp_path):
 
 def test_shipped_scenes_are_listed():
     assert {"cloth", "two_masses"} <= {row["id"] for row in hooke.scenes()}
+
+
+def test_laws_are_those_of_scene_files_and_bad_ones_are_refused_by_field():
+    scene = hanging_pair()
+    for law in ({"law": "cable"}, {"law": "cubic", "k3": -1e9}, {"muscle": {"amplitude": 0.2, "frequency": 2, "phase": 0}}, None):
+        scene.laws = [law]
+        assert scene.laws == [law]
+    for bad, message in (({"law": "rope"}, 'laws\\[0\\].law: "rope": must be'), ({"law": "cubic", "k3": np.inf}, r"laws\[0\].k3: inf: must be a finite"),
+                         ({"law": "strut", "k3": 3}, r"laws\[0\].k3: must be 0 unless"),
+                         ({"rest_length_rate": 1, "rest_length_limits": [2, 3]}, r"laws\[0\].rest_length_limits: must contain")):
+        with pytest.raises(hooke.InputError, match=message):
+            scene.laws = [bad]
