@@ -13,6 +13,7 @@ namespace hooke {
   X(BindBufferBase, BINDBUFFERBASE)       \
   X(BufferData, BUFFERDATA)               \
   X(CompileShader, COMPILESHADER)         \
+  X(CopyBufferSubData, COPYBUFFERSUBDATA) \
   X(CreateProgram, CREATEPROGRAM)         \
   X(CreateShader, CREATESHADER)           \
   X(DispatchCompute, DISPATCHCOMPUTE)     \

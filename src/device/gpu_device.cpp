@@ -15,8 +15,10 @@ namespace {
 std::optional<EnergyCause> cause_of(const Plan& plan) {
   if (plan.hand.held || plan.hand.pull) return EnergyCause::Hand;
   if (plan.collider_paths.any_moves) return EnergyCause::Colliders;
-  if (!plan.forces.empty()) return EnergyCause::Forces;
+  if (!plan.forces.empty() || plan.acceleration != plan.gravity) return EnergyCause::Forces;  // moving air
   if (plan.has_contact()) return EnergyCause::Contact;
+  if (plan.drag > 0.0) return EnergyCause::Drag;
+  if (plan.has_dashpots()) return EnergyCause::Dashpots;
   return std::nullopt;
 }
 
@@ -36,7 +38,7 @@ bool GpuDevice::advance(const Plan& plan, const FrameSteps& steps, Motion& motio
   }
   if (cause && broken.empty()) {
     const double change = mechanical_energy(plan, motion.time, motion) - before;
-    motion.energy.add(*cause, *cause == EnergyCause::Contact ? std::min(0.0, change) : change);
+    motion.energy.add(*cause, *cause >= EnergyCause::Drag ? std::min(0.0, change) : change);
   }
   return true;
 }
