@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "device/gl_functions.h"
+#include "device/compute_context.h"
 #include "device/packed_scene.h"
 
 namespace hooke {
