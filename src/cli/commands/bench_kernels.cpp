@@ -34,8 +34,8 @@ int bench_kernels(const std::filesystem::path& folder, Device device, bool quick
       if (was_interrupted()) return exit_interrupted();
       // in a quick run, not those that take long to settle
       const Scene scene = make_kernel_scene(row, sizes.front(), 1);
-      const bool needs_cpu = gpu != nullptr && (row.threads > 1 || row.is_at_rest ||
-                                                !needs_processor(make_plan(scene.system), *scene.settings.integrator).empty());
+      const bool needs_cpu =
+          gpu != nullptr && (row.threads > 1 || !needs_processor(make_plan(scene.system), *scene.settings.integrator).empty());
       if (n > (quick && row.settle > 0.0 ? sizes.front() : row.max_size) || needs_cpu) {
         if (!quiet) std::cout << " |";
         continue;
