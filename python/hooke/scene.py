@@ -98,7 +98,7 @@ class _Column:
     def __init__(self, name: str, what: str, convert: Callable[[Scene, Any], Any] | None = None) -> None:
         self._name = name
         self._convert = convert or (lambda scene, value: array(name, value))
-        one = "" if name in ("positions", "velocities") else ", or one value for all,"
+        one = "" if name in ("positions", "velocities", "loads") else ", or one value for all,"
         self.__doc__ = f"{what}: a copy, read-only. Assign an array{one} to change them."
 
     def __get__(self, scene: Scene | None, owner: type[Scene]) -> NDArray[Any]:
@@ -234,12 +234,22 @@ class Scene(Parameterized, Shapes):
 
     positions = _Column("positions", "Positions [m], (points, 3)")
     velocities = _Column("velocities", "Velocities [m/s], (points, 3)")
+    loads = _Column("loads", "Constant forces on the points [N], (points, 3)")
     masses = _Column("masses", "Masses [kg], (points,)")
     radii = _Column("radii", "Radii [m], (points,)")
     nailed = _Column("nailed", "Whether each point is nailed, (points,)", lambda scene, value: _nails(value, scene.point_count))
     stiffness = _Column("stiffness", "Stiffness of each spring [N/m], (springs,)")
     damping = _Column("damping", "Damping of each spring [N s/m], (springs,)")
     rest_length = _Column("rest_length", "Rest length of each spring [m], (springs,)")
+
+    @property
+    def fixed(self) -> list[str]:
+        """The axes along which each point does not move, as "y" or "xz"; "": none. Assign a list to change them."""
+        return self._bound.fixed
+
+    @fixed.setter
+    def fixed(self, fixed: Sequence[str]) -> None:
+        self._bound.fixed = list(fixed)
 
     @property
     def laws(self) -> list[dict[str, Any] | None]:

@@ -50,6 +50,22 @@ def test_parts_are_added_after_the_present_ones():
     assert hooke.Scene.from_json(scene.to_json()).hash == scene.hash
 
 
+def test_loads_and_rollers_are_properties_of_points():
+    scene = hooke.Scene(gravity=(0, 0, 0))
+    scene.add_points([[0, 0, 0], [1, 0, 0]], nailed=[True, False])
+    scene.add_spring(0, 1, stiffness=50)
+    scene.loads = [[0, 0, 0], [2, -3, 0]]
+    scene.fixed = ["", "y"]
+    assert scene.loads.tolist() == [[0, 0, 0], [2, -3, 0]] and scene.fixed == ["", "y"]
+    run = scene.run(0.5, sample=0.1, substeps=400, accuracy="off")
+    assert np.allclose(run.positions[:, 1], [[1 + 2 / 50 * (1 - np.cos(np.sqrt(50) * t)), 0, 0] for t in run.time], atol=1e-5)
+    assert hooke.Scene.from_json(scene.to_json()).run(0.5, accuracy="off").hash == scene.run(0.5, accuracy="off").hash
+    with pytest.raises(hooke.InputError, match="^fixed\\[1\\]: up: must be axes"):
+        scene.fixed = ["", "up"]
+    with pytest.raises(hooke.InputError, match="^loads: "):
+        scene.loads = [[1, 2, 3]]
+
+
 def test_properties_are_arrays_that_can_be_assigned():
     scene = hanging_pair()
     assert scene.positions.shape == (2, 3) and scene.positions.dtype == np.float64 and scene.positions.flags.c_contiguous

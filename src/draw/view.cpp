@@ -191,7 +191,8 @@ void View::Parts::draw_environment(const DrawContext& context, bool has_polygons
   glPolygonOffset(-1.0f, -2.0f);
   shadows.draw(shadow_shader, context.palette.shadow);
   glDepthMask(GL_TRUE);
-  glPolygonOffset(1.0f, 2.0f);
+  // by their slope only if lines are on them: it puts triangles that are seen edge-on, at folds, behind what they cover
+  glPolygonOffset(context.options.springs ? 1.0f : 0.0f, 2.0f);
   if (has_polygons) cloth.draw(cloth_shader);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }

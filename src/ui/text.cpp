@@ -27,6 +27,16 @@ std::string typed_text(double value) {
   return all;
 }
 
+std::string with_rare_characters(std::string typed, std::string_view before) {
+  constexpr std::string_view unknown = "\ufffd";
+  for (std::size_t at = typed.find(unknown), from = 0; at != typed.npos; at = typed.find(unknown, at + 4), from += 4) {
+    while (from < before.size() && (before[from] & 0xf8) != 0xf0) ++from;
+    if (from >= before.size()) break;
+    typed.replace(at, unknown.size(), before.substr(from, 4));
+  }
+  return typed;
+}
+
 std::string count(long n, std::string_view noun) { return std::to_string(n) + " " + std::string(noun) + (n == 1 ? "" : "s"); }
 
 }  // namespace hooke

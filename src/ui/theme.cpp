@@ -177,12 +177,12 @@ void load_theme(double scale, double density) {
 }
 
 void follow_text(std::string_view text) {
-  constexpr ImWchar first = 0x2e80;
+  constexpr ImWchar first = 0x2e80, last = 0xffef;
   for (std::size_t i = 0; i + 2 < text.size(); ++i) {
     has_emoji = has_emoji || (text[i] & 0xf8) == 0xf0;
     if ((text[i] & 0xf0) != 0xe0) continue;
     const auto c = static_cast<ImWchar>((text[i] & 0x0f) << 12 | (text[i + 1] & 0x3f) << 6 | (text[i + 2] & 0x3f));
-    if (c >= first) cjk_characters_are_new = cjk_characters.insert(c).second || cjk_characters_are_new;
+    if (c >= first && c <= last) cjk_characters_are_new = cjk_characters.insert(c).second || cjk_characters_are_new;
   }
 }
 

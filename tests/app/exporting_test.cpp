@@ -43,14 +43,15 @@ class Export {
   GuiFixture gui_;
 };
 
+// A scene without a file, such as an imported mesh, has the name of its title.
 TEST(Export, TheDialogOffersEveryFormatAndSetsTheExtension) {
   GuiFixture gui(load_scene(find_scene("two_masses")).scene);
   gui.key(letter('E'), {.control = true});
   const std::string words = gui.text();
   for (const FileKind& kind : export_kinds()) EXPECT_NE(words.find(kind.label), std::string::npos) << kind.label;
-  EXPECT_TRUE(gui.app().panels().export_state.path.ends_with("untitled.obj")) << gui.app().panels().export_state.path;
+  EXPECT_TRUE(gui.app().panels().export_state.path.ends_with("/Two masses.obj")) << gui.app().panels().export_state.path;
   gui.click(gui.find("export", {"Table (.csv)"}));
-  EXPECT_TRUE(gui.app().panels().export_state.path.ends_with("untitled.csv")) << gui.app().panels().export_state.path;
+  EXPECT_TRUE(gui.app().panels().export_state.path.ends_with("/Two masses.csv")) << gui.app().panels().export_state.path;
   gui.key(Key::Escape);
   EXPECT_FALSE(gui.app().panels().export_state.is_shown);
 }

@@ -27,6 +27,15 @@ TEST(ForcesPanel, IsOpenAndInSightWhereASceneHasForces) {
   }
 }
 
+TEST(ForcesPanel, OfAFlatSceneHasNoZ) {
+  Scene scene = shipped_scene("two_masses");
+  scene.system.forces = {{find_force_term("wind"), true, default_values(*find_force_term("wind"))}};
+  GuiFixture gui(std::move(scene));
+  ASSERT_EQ(gui.system().dimensions, 2);
+  EXPECT_NE(gui.text().find("Wind x"), std::string::npos);
+  EXPECT_EQ(gui.text().find("Wind z"), std::string::npos);
+}
+
 TEST(ForcesPanel, ARightClickResetsToTheValueOfTheScene) {
   GuiFixture gui(shipped_scene("balloon"));
   const double opened = gui.system().forces[0].values[0];

@@ -7,6 +7,7 @@
 #include "formats/scene_file.h"
 #include "support/document_fixture.h"
 #include "support/gui_fixture.h"
+#include "ui/text.h"
 
 namespace hooke {
 namespace {
@@ -103,6 +104,12 @@ TEST(Wording, OfAnEmptyFolderNamesWhatTheDialogLists) {
   gui.app().panels().open_file_dialog(Dialog::Kind::Open, folder.folder);
   gui.frames(3);
   EXPECT_TRUE(shows(gui, "cloth.hookelog"));
+}
+
+// ImGui shows such a character as U+FFFD, and would write that into the name of a file.
+TEST(Wording, OfNamesKeepsEmojiInTextFields) {
+  EXPECT_EQ(with_rare_characters("a \ufffd 2 \ufffd.json", "a \U0001F388 \U0001F389.json"), "a \U0001F388 2 \U0001F389.json");
+  EXPECT_EQ(with_rare_characters("a \ufffd", "a"), "a \ufffd") << "pasted";
 }
 
 }  // namespace

@@ -182,9 +182,15 @@ std::string Document::title() const {
   return "Hooke - " + shown + (status().history.unsaved ? "*" : "");
 }
 
+std::string Document::stem() const {
+  if (!file_.empty()) return file_.stem().string();
+  std::string name = status().document->name;
+  std::ranges::replace(name, '/', '_');
+  return name.empty() ? "untitled" : name;
+}
+
 std::filesystem::path Document::new_file_beside(const std::string& extension) const {
-  const std::string stem = !file_.empty() ? file_.stem().string() : "untitled";
-  return free_name(has_own_file() ? file_.parent_path() : start_folder(), stem, extension);
+  return free_name(has_own_file() ? file_.parent_path() : start_folder(), stem(), extension);
 }
 
 // The folder of the document, or else the folder of the most recent file.

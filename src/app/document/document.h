@@ -61,6 +61,8 @@ class Document {
   // Whether the file is the user's own, not a shipped scene.
   bool has_own_file() const;
   std::string title() const;
+  // Of the files that are proposed: the name of its file, or its title.
+  std::string stem() const;
   // A new file in the folder of the document, with its name.
   std::filesystem::path new_file_beside(const std::string& extension) const;
   const std::vector<std::filesystem::path>& recent_files() const { return recent_.files(); }

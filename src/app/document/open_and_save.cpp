@@ -32,11 +32,9 @@ void Document::ask_where_to_save(LabThread::Moment moment) {
 
 std::filesystem::path Document::proposed_file() const {
   const std::filesystem::path folder = start_folder();
-  if (saving_.moment == LabThread::Moment::Present) {
-    const std::filesystem::path name = file_.empty() ? "untitled" : file_.stem();
-    return free_name(folder, name.string() + "-" + number_text(status().snapshot->state.time, 4) + "s", ".json");
-  }
-  return has_own_file() ? file_ : folder / ((file_.empty() ? "untitled" : file_.stem().string()) + ".json");
+  if (saving_.moment == LabThread::Moment::Present)
+    return free_name(folder, stem() + "-" + number_text(status().snapshot->state.time, 4) + "s", ".json");
+  return has_own_file() ? file_ : folder / (stem() + ".json");
 }
 
 void Document::open_system_dialog(bool to_save) {

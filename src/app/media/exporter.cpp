@@ -31,8 +31,7 @@ void Exporter::show() {
   state.is_shown = true;
   if (is_running()) return;
   state.is_new = true;
-  const std::filesystem::path& file = document_.file();
-  state.path = without_extension(document_.has_own_file() ? file : typed_path(file.empty() ? "untitled" : file.stem()));
+  state.path = document_.has_own_file() ? without_extension(document_.file()) : typed_path(document_.stem()).string();
 }
 
 void Exporter::start() {

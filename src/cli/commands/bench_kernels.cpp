@@ -8,11 +8,15 @@
 #include "batch/machine.h"
 #include "batch/output_file.h"
 #include "cli/interrupt.h"
+#include "cli/scene_options.h"
 #include "cli/subcommand.h"
+#include "device/gpu_device.h"
 #include "study/kernels/kernel_cases.h"
 
 namespace hooke {
-int bench_kernels(const std::filesystem::path& folder, bool quick, bool quiet) {
+int bench_kernels(const std::filesystem::path& folder, Device device, bool quick, bool quiet) {
+  const std::shared_ptr<GpuDevice> gpu = device == Device::Gpu ? open_gpu() : nullptr;
+  if (gpu != nullptr && !quiet) print_device({.device = gpu});
   make_folder(folder);
   catch_interrupts();
   const std::vector<int> sizes = quick ? std::vector{32, 64} : std::vector{32, 64, 128, 256, 512, 1024};
@@ -29,11 +33,14 @@ int bench_kernels(const std::filesystem::path& folder, bool quick, bool quiet) {
     for (const int n : sizes) {
       if (was_interrupted()) return exit_interrupted();
       // in a quick run, not those that take long to settle
-      if (n > (quick && row.settle > 0.0 ? sizes.front() : row.max_size)) {
+      const Scene scene = make_kernel_scene(row, sizes.front(), 1);
+      const bool needs_cpu = gpu != nullptr && (row.threads > 1 || row.is_at_rest ||
+                                                !needs_processor(make_plan(scene.system), *scene.settings.integrator).empty());
+      if (n > (quick && row.settle > 0.0 ? sizes.front() : row.max_size) || needs_cpu) {
         if (!quiet) std::cout << " |";
         continue;
       }
-      const KernelTime time = measure_kernel(row, n, quick);
+      const KernelTime time = measure_kernel(row, n, quick, gpu);
       const double ns = 1e9 * time.seconds / static_cast<double>(time.springs);
       append_formatted(csv, "%s,%ld,%ld,%.4g\n", std::string(row.name).c_str(), time.points, time.springs, ns);
       if (!quiet) std::cout << formatted(" %.2f |", ns) << std::flush;

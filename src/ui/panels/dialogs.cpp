@@ -65,8 +65,10 @@ void path_line(Panels& panels) {
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::PushID(shown);
   follow_text(panels.dialog.typed);
+  const std::string before = panels.dialog.typed;
   ImGui::InputTextWithHint("##path", "Name or path", &panels.dialog.typed, ImGuiInputTextFlags_CallbackAlways, select_name,
                            &panels.dialog.selects_name);
+  panels.dialog.typed = with_rare_characters(std::move(panels.dialog.typed), before);
   ImGui::PopID();
 }
 
