@@ -134,7 +134,7 @@ void set_nailed(NamedScene& scene, const std::vector<bool>& nailed) {
   change(scene, set);
 }
 
-py::array loads_of(const NamedScene& scene) {
+py::array point_loads(const NamedScene& scene) {
   std::vector<Vec3> loads;
   for (const Point& point : points_of(scene)) loads.push_back(point.load);
   return read_only(to_array(loads));
@@ -372,7 +372,7 @@ void bind_scene(py::module_& module) {
           "nailed",
           [](const NamedScene& scene) { return column<Point, bool>(points_of(scene), [](const Point& point) { return point.nailed; }); },
           &set_nailed)
-      .def_property("loads", &loads_of, &set_loads)
+      .def_property("loads", &point_loads, &set_loads)
       .def_property("fixed", &fixed_axes_of, &set_fixed_axes)
       .def_property("masses", point_column(&Point::mass), point_setter(P::Mass, "masses", positive))
       .def_property("radii", point_column(&Point::radius), point_setter(P::Radius, "radii", not_negative))
