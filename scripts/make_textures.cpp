@@ -39,6 +39,7 @@ Tone checker(int x, int y) {
 struct Weave {
   bool warp_on_top;
   int thread;    // index of the thread on top, counted along x for the warp
+  int below;     // of the other one
   double light;  // 1 at its center line
 };
 
@@ -51,6 +52,7 @@ Weave weave(int x, int y, int threads, const Over& over) {
   Weave found;
   found.warp_on_top = over(column, row);
   found.thread = found.warp_on_top ? column : row;
+  found.below = found.warp_on_top ? row : column;
   const double across = found.warp_on_top ? u : v, along = found.warp_on_top ? v : u;
   found.light = (1.0 - 1.9 * across * across) * (1.0 - 0.5 * along * along);
   return found;
@@ -86,7 +88,8 @@ Tone tartan(int x, int y) {
   };
   const Weave at = weave(x, y, threads, [](int column, int row) { return (column + row) % 4 < 2; });
   const double light = 0.74 + 0.26 * at.light + 0.06 * (grain(at.thread, at.warp_on_top, 3) - 0.5);
-  const Tone tone = tone_of(at.thread);
+  // the color of the thread below shines through: lines seen from afar would be jagged as the weave is
+  const Tone tone = mixed(tone_of(at.thread), tone_of(at.below), 0.3);
   return {light * tone.red, light * tone.green, light * tone.blue};
 }
 

@@ -37,17 +37,19 @@ set(owners
   "^GLFW/"                              "^app/window/"
   "^(imgui|imstb|misc/|backends/).*"    "^(ui/|draw/gl/gui_renderer[.]|app/window/imgui_backend[.])"
   "^png[.]h$"                           "^(draw/|formats/png_picture[.]cpp$)"
+  "^pugixml[.]hpp$"                     "^formats/"
   "^rapidjson/"                         "^(base/|study/work_precision_file[.]cpp$)"
-  "^zlib[.]h$"                          "^(base/read_file|app/media/animation_encoder)[.]cpp$"
+  "^(webp/|gif_lib)"                    "^draw/film/"
+  "^zlib[.]h$"                          "^base/read_file[.]cpp$"
   "^CLI/"                               "^(cli/|app/window/main[.]cpp$)"
   "^pybind11/"                          "^python/"
-  "^hwy/"                               "^(sim/|study/kernels/machine_loops[.]cpp$)"
+  "^hwy/"                               "^sim/"
   "^(unsupported/)?Eigen/"              "^(sim/|study/spectrum[.]cpp$)"
   "^glm/"                               "."
   "^malloc[.]h$"                        "^(draw/gl/gl|cli/main)[.]cpp$"
   "^(chrono|ctime|random|thread|iostream|fstream|filesystem|unordered_map|unordered_set)$"  "^(base|formats|lab|study|draw|ui|app|batch|cli|python)/"
   "^cstdio$"                            "^(base|scene|formats|lab|study|draw|ui|app|batch|cli|python)/"
-  "^(unistd|fcntl|dirent|poll|signal|spawn|dlfcn|link|sys/[a-z]+)[.]h$"  "^(base|device|formats|lab|study|app|batch|cli)/"
+  "^(unistd|fcntl|dirent|poll|signal|spawn|dlfcn|link|sys/[a-z]+)[.]h$"  "^(base|device|formats|lab|study|draw/film|app|batch|cli)/"
   "^stdint[.]h$"                        "^api/hooke_c[.]h$"  # for C
   "^[a-z_]+$"                           "."  # the C++ standard library
 )

@@ -29,6 +29,8 @@ class Scene:
     title: str
     description: str
     warnings: list[str]
+    told: list[str]
+    summary: str
     dimensions: int
     time: float
     integrator: str

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,11 @@ class Parameterized:
 
     __slots__ = ("_bound", "__weakref__")
     _bound: _hooke.Scene | _hooke.Lab
+
+    @overload
+    def __getitem__(self, name: Literal["dimensions", "substeps", "iterations"]) -> int: ...
+    @overload
+    def __getitem__(self, name: str) -> Any: ...
 
     def __getitem__(self, name: str) -> Any:
         """The value of a parameter."""

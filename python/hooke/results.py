@@ -130,7 +130,7 @@ class Run:
         with_respect_to: "stiffness", "rest_length" or "damping" of the springs, "masses", or "positions" or "velocities" of the start; a
             name returns an array as that of the scene [unit of the sum per N/m, m, N s/m, kg, m or m/s], several a dict of arrays. More
             names cost nothing
-        Takes the time of two to six runs and the memory of the positions and velocities of all frames. Raises InputError, which names the
+        Takes longer than the run, and the memory of the positions and velocities of all frames. Raises InputError, which names the
         reason, for other methods than velocity_verlet and runge_kutta4, contact, springs that break, strain limits, laws and forces.
         """
         chosen = names("with_respect_to", with_respect_to)

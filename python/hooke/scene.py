@@ -38,13 +38,15 @@ def _warn(lines: Sequence[str], stacklevel: int) -> None:
 
 
 def load(name: str | os.PathLike[str], *, weld: float | None = None, scale: float | None = None, up: str | None = None) -> Scene:
-    """Loads a shipped scene by its name, such as "cloth", or a file: .json, .obj, .xsp. See hooke.scenes().
+    """Loads a shipped scene by its name, such as "cloth", or a file: .json, .obj, .xsp, .xml. See hooke.scenes().
 
     weld: of a mesh, joins the points of open edges that are closer than this [m]
     scale: of a mesh, the length of its unit [m], 0.001 for millimeters
     up: of a mesh, the axis that points up, "y" or "z"
     """
-    return Scene._of(_hooke.Scene.load(path("name", name), import_options(weld, scale, up)))
+    scene = _hooke.Scene.load(path("name", name), import_options(weld, scale, up))
+    _warn(scene.told, 2)
+    return Scene._of(scene)
 
 
 class CaptureResult(NamedTuple):
@@ -279,6 +281,11 @@ class Scene(Parameterized, Shapes):
         return self._bound.title
 
     @property
+    def summary(self) -> str:
+        """The size of a mesh, as `hooke run` prints it; empty for other scenes."""
+        return self._bound.summary
+
+    @property
     def description(self) -> str:
         """What to try, from the scene file."""
         return self._bound.description
@@ -309,7 +316,7 @@ class Scene(Parameterized, Shapes):
         """A copy with these options, whose warnings are given."""
         scene = self._bound.with_options(optional(text, "integrator", integrator), optional(integer, "substeps", substeps),
                                          optional(number, "frame_rate", frame_rate), optional(number, "tolerance", tolerance))
-        _warn(scene.warnings, 3)
+        _warn([line for line in scene.warnings if not any(told.endswith(line) for told in scene.told)], 3)
         return scene
 
     def run(self, seconds: float, *, sample: float | None = None, integrator: str | None = None, substeps: int | None = None,
@@ -428,7 +435,7 @@ class Scene(Parameterized, Shapes):
                 tolerance: float | None = None, threads: int = 1, device: str = "cpu", progress: bool | None = None) -> CaptureResult:
         """Draws the scene as it moves, without a display, as `hooke capture`.
 
-        out: a .png for the last picture only, a folder for all, or a .mp4 (by ffmpeg)
+        out: a .png for the last picture only, a folder for all, or a film: .mp4 (by ffmpeg), .webp or .gif
         seconds: simulated time from the first picture to the last [s], default 0; or frames: the number of pictures
         fps: pictures per simulated second [1/s]; size: (width, height) [px]; scale: of points, lines and panels
         ui: include the panels; stamp: write time, error and method into each picture; report: a folder for report.csv and report.json
@@ -453,7 +460,8 @@ class Scene(Parameterized, Shapes):
                 return picture.read()
 
     def __repr__(self) -> str:
-        return f"Scene({self.title or self.name!r}, {self.point_count} points, {self.spring_count} springs)"
+        what = self.summary or f"{self.title or self.name!r}, {self.point_count} points"
+        return f"Scene({what}, {self.spring_count} springs)"
 
 
 def _sweep_part(job: tuple[Scene, dict[str, Any], str, str]) -> None:

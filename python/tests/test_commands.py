@@ -2,11 +2,13 @@
 
 import json
 import pathlib
+import warnings
 
 import numpy as np
 import pytest
 
 import hooke
+import hooke.sodaconstructor
 
 
 @pytest.fixture(scope="module")
@@ -78,6 +80,27 @@ def test_meshes_are_read_with_the_options_of_the_command_line(tmp_path):
     assert hooke.convert(mesh, out, scale=0.001, weld=0) == []
     with pytest.raises(hooke.UsageError, match="up: x: must be y or z"):
         hooke.load(mesh, up="x")
+
+
+def test_warnings_about_a_mesh_are_given_when_it_is_loaded(tmp_path):
+    mesh = tmp_path / "fan.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n")
+    with pytest.warns(hooke.HookeWarning, match="more than two faces"):
+        scene = hooke.load(mesh)
+    assert "5 points" in scene.summary and scene.summary in repr(scene)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        scene.run(0.1, accuracy="off")
+
+
+def test_models_of_sodaconstructor_are_read(tmp_path):
+    model = tmp_path / "walker.xml"
+    model.write_text('<object id="Model#1" type="com.sodaplay.soda.constructor2.model.Model"><field name="nodes"><list>'
+                     '<object id="Mass#1" type="Mass"><field name="x"><double>250</double></field></object></list></field></object>')
+    assert hooke.load(model).positions.tolist() == [[2.5, 0.0, 0.0]] and hooke.sodaconstructor.load is hooke.load
+    model.write_text("<object>")
+    with pytest.raises(hooke.InputError, match="walker.xml: line 1: XML: "):
+        hooke.load(model)
 
 
 def test_checks_are_those_of_the_command_line(command_line):

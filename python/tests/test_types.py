@@ -29,6 +29,7 @@ diagnosis: str | None = run.diagnosis
 lab = scene.lab()
 lab.grab(0, target=(0, 0, 1))
 is_valid: bool = lab.step()
+dimensions: int = scene["dimensions"]
 chart = scene.bench(methods=["velocity_verlet"], tolerance_range=(1e-2, 1e-8))
 chart.plot()
 table = scene.sweep({"stiffness": np.logspace(2, 3, 4), "substeps": [8, 16]}, "max_strain", 1.0)
@@ -41,6 +42,7 @@ slopes = run.gradient(2 * run.positions, "stiffness").sum() + run.gradient((None
 scene.run(seconds="2")  # type: ignore[arg-type]
 scene.add_clothe()  # type: ignore[attr-defined]
 scene.add_cloth(foo=1)  # type: ignore[call-arg]
+word: str = lab["dimensions"]  # type: ignore[assignment]
 scene.add_point((0, 0, 0), weight=1)  # type: ignore[call-arg]
 """
 

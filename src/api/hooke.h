@@ -53,7 +53,7 @@ class HOOKE_PUBLIC Scene {
  public:
   // Empty: no points, no floor, gravity 9.81 m/s^2 downwards, velocity_verlet with 20 substeps at 60 frames per second.
   Scene();
-  // A shipped scene by its name, or a file: .json, .obj, .xsp.
+  // A shipped scene by its name, or a file: .json, .obj, .xsp, .xml.
   static Scene load(const std::string& name);
   // The text of a scene file (docs/reference/scene-format.md); `name` stands for the file in messages.
   static Scene parse(std::string_view json, const std::string& name = "scene");

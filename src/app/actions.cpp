@@ -35,6 +35,9 @@ void App::handle(const Request& request) {
   std::visit(Overloaded{
                  [this](const Edit& edit) {
                    if (!edit.continues) tool_context_.begin_gesture();
+                   const auto& collider = tool_context_.selection.collider;
+                   if (const auto* set = std::get_if<SetColliders>(&edit.command); set && collider)
+                     tool_context_.note_gaps(set->colliders[static_cast<std::size_t>(*collider)]);
                    lab_.submit(edit.command, tool_context_.last_gesture);
                  },
                  [this](const Scrub& scrub) {
@@ -123,17 +126,17 @@ void App::check_result() {
   start_result_check(work_.result_check, status(), work_.forecaster.newest());
 }
 
-// Shows the panel with the exact solution, or with a first setting to compare with; hides it if it is already shown.
-void App::show_ghosts(bool with_exact) {
+// Shows the panel with a very accurate run, or with a first setting to compare with; hides it if it is already shown.
+void App::show_ghosts(bool with_reference) {
   Ghosts& ghosts = panels_.ghosts;
   if (ghosts.is_shown) {
     ghosts = {};
   } else {
     panels_.show_at_left(&ghosts.is_shown);
-    ghosts.with_exact = with_exact;
-    if (!with_exact) ghosts.settings = {first_ghost(status().snapshot->settings)};
+    ghosts.with_reference = with_reference;
+    if (!with_reference) ghosts.settings = {first_ghost(status().snapshot->settings)};
   }
-  work_.ghosts.set({ghosts.with_exact, ghosts.settings}, status(), lab_);
+  work_.ghosts.set({ghosts.with_reference, ghosts.settings}, status(), lab_);
 }
 
 void App::save_comparison(const std::string& extension) {

@@ -135,7 +135,8 @@ void App::update_marks() {
     if (ghosts[i].positions) marks_.ghost_networks.push_back({ghosts[i].positions, to_color(ghost_color(i))});
   marks_.crossed = work_.crossings.found();
   marks_.arrows = make_arrows(*status().snapshot, panels_.view, tool_context_.view_height(), force_arrows_);
-  if (placer_.is_on()) return placer_.mark(marks_);
+  placer_.mark(marks_);
+  if (placer_.is_on()) return;
   if ((mouse_.is_over_scene() || tool_.is_pressed()) && !camera_control_.is_dragging()) tool_.mark(mouse_.pointer(), marks_);
 
   if (const auto& divergence = tool_context_.snapshot().divergence) {

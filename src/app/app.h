@@ -90,7 +90,7 @@ class App {
   void set_start();
   void compare_methods();
   void check_result();
-  void show_ghosts(bool with_exact);
+  void show_ghosts(bool with_reference);
   void save_comparison(const std::string& extension);
   void show_failure();
   void cancel();

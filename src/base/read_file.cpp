@@ -102,10 +102,12 @@ std::string read_text_file(const std::filesystem::path& file) {
   std::string text = read_file(file);
   if (text.starts_with("\x1f\x8b")) text = decompressed(text, name);
   if (text.starts_with("\xef\xbb\xbf")) return text.substr(3);
-  // every second byte of ASCII characters in UTF-16 is 0
+  // every second byte of ASCII characters in UTF-16 is 0, and three of four in UTF-32, where the mark has two zeros
   const bool has_mark = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
-  if (has_mark || (text.size() >= 2 && (text[0] == '\0') != (text[1] == '\0')))
-    throw InputError(name + ": encoding: UTF-16: must be UTF-8 or ASCII");
+  const auto is_zero = [&](std::size_t i) { return i < text.size() && text[i] == '\0'; };
+  const bool is_wide = text.size() >= 4 && (is_zero(0) && is_zero(1)) != (is_zero(2) && is_zero(3));
+  if (is_wide || has_mark || (text.size() >= 2 && is_zero(0) != is_zero(1)))
+    throw InputError(name + ": encoding: " + (is_wide ? "UTF-32" : "UTF-16") + ": must be UTF-8 or ASCII");
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "base/text_lines.h"
 #include "batch/output_file.h"
 #include "draw/camera_text.h"
+#include "draw/film/film_encoder.h"
 
 namespace hooke {
 namespace {
@@ -40,13 +41,13 @@ Destination parse_destination(const std::string& out) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored) || (!out.empty() && !path.has_extension())) return {path, Destination::Kind::Folder};
   if (path.extension() == ".png") return {path, Destination::Kind::Picture};
-  if (path.extension() == ".mp4") return {path, Destination::Kind::VideoEncoder};
+  if (find_film_format(path) != nullptr) return {path, Destination::Kind::Film};
   throw OptionError("out", printable(out, 200),
-                    "must end in .png or .mp4, or be a folder (a new one with a dot in its name must end in /)");
+                    "must end in .png, .mp4, .webp or .gif, or be a folder (a new one with a dot in its name must end in /)");
 }
 
 void prepare(const Destination& destination) {
-  if (destination.kind == Destination::Kind::VideoEncoder) return;  // ffmpeg starts before any work
+  if (destination.kind == Destination::Kind::Film) return;  // its encoder starts before any work
   if (destination.kind == Destination::Kind::Picture) {
     const OutputFile can_be_written(destination.path.string());
     return;

@@ -36,14 +36,14 @@ inline constexpr PictureSize min_panel_size{320, 180};  // [px], of pictures wit
 PictureSize parse_size(const std::string& text);
 CameraPose parse_camera(const std::string& text);
 
-// The destination of pictures: one file, a folder of numbered files, or a video.
+// The destination of pictures: one file, a folder of numbered files, or a film.
 struct Destination {
-  enum class Kind { Picture, Folder, VideoEncoder };
+  enum class Kind { Picture, Folder, Film };
   std::filesystem::path path;
   Kind kind;
   std::filesystem::path file(long number) const;
 };
-// By extension: .png is a file, .mp4 a video; a folder has none, ends in / or exists. Throws UsageError.
+// By extension: .png is a file, .mp4, .webp and .gif are films; a folder has none, ends in / or exists. Throws UsageError.
 Destination parse_destination(const std::string& out);
 // Creates the folder and removes pictures of earlier captures from it, or checks that the picture can be written, before any work is done.
 // Throws FileError.

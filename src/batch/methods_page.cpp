@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 #include "base/formatted.h"
 #include "sim/methods/integrator.h"
@@ -113,37 +112,10 @@ void add_comparison(std::string& text, const Results& results, int decade) {
   }
 }
 
-// "cheapest on net_w4 at 1e-3 to 1e-6"
-std::string place_of(const Integrator& method, const Results& results) {
-  if (!is_measured(method, results)) return "Not in these results.";
-  std::string text;
-  for (const ProblemRecord& record : results.problems) {
-    int first = 0, last = 0;
-    for (int decade = 1; decade <= 10; ++decade) {
-      const Row* best = cheapest(record, std::pow(10.0, -decade));
-      if (best == nullptr || best->method != method.id) continue;
-      if (first == 0) first = decade;
-      last = decade;
-    }
-    if (first == 0) continue;
-    text += (text.empty() ? "Cheapest on " : "; ") + record.id + " at 1e-" + std::to_string(first);
-    if (last > first) text += " to 1e-" + std::to_string(last);
-  }
-  if (!text.empty()) return text + ".";
-
-  std::set<std::string> front_problems;
-  for (const ProblemRecord& record : results.problems)
-    for (const Row* row : pareto_front(record))
-      if (row->method == method.id) front_problems.insert(record.id);
-  if (front_problems.empty()) return "Never on the Pareto front of these problems: another method is both faster and more accurate.";
-  for (const std::string& id : front_problems) text += (text.empty() ? "On the Pareto front, between decades, of " : ", ") + id;
-  return text + ".";
-}
-
-void add_method(std::string& text, const Integrator& method, const Results& results) {
+void add_method(std::string& text, const Integrator& method) {
   text += "\n## " + std::string(method.id) + "\n\n**" + std::string(method.label) + ".** " + std::string(method.summary) + "\n\n```\n" +
           std::string(method.formula) + "\n```\n\n" + "* Source: " + std::string(method.source) + ".\n* Costs " + std::string(method.cost) +
-          ".\n* Stability: " + std::string(describe(method.stability)) + ".\n* Measured: " + place_of(method, results) + "\n";
+          ".\n* Stability: " + std::string(describe(method.stability)) + ".\n";
 }
 
 }  // namespace
@@ -173,7 +145,7 @@ std::string methods_page(const Results& results) {
       "size of the\nscene; `-`: no tested setting reaches it. Measured " +
       results.date.substr(0, 10) + " with Hooke " + results.conditions.version + ", on one thread of " + results.conditions.machine + ".\n";
   for (const int decade : decades) add_comparison(text, results, decade);
-  for (const Integrator& method : integrators()) add_method(text, method, results);
+  for (const Integrator& method : integrators()) add_method(text, method);
   return text;
 }
 

@@ -7,7 +7,8 @@
 namespace hooke {
 
 PictureWriter::PictureWriter(const Destination& destination, const PictureSize& size, double video_frame_rate) : destination_(destination) {
-  if (destination.kind == Destination::Kind::VideoEncoder) film_.emplace(destination.path, size.width, size.height, video_frame_rate);
+  if (destination.kind == Destination::Kind::Film)
+    film_ = find_film_format(destination.path)(destination.path, size.width, size.height, video_frame_rate);
   thread_ = std::thread([this] { work(); });
 }
 
@@ -68,7 +69,7 @@ std::optional<PictureWriter::QueuedPicture> PictureWriter::next() {
 }
 
 void PictureWriter::write(const QueuedPicture& queued) {
-  if (film_) return film_->add(queued.picture);
+  if (film_) return film_->add(queued.picture, 1);
   OutputFile file(destination_.file(queued.number).string(), Writing::OneOfMany);
   file.write(encode_png(queued.picture));
   file.close();

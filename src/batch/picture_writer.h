@@ -4,13 +4,14 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
 
 #include "batch/capture_options.h"
+#include "draw/film/film_encoder.h"
 #include "draw/view.h"
-#include "formats/video_encoder.h"
 
 namespace hooke {
 
@@ -42,7 +43,7 @@ class PictureWriter {
   static constexpr std::size_t max_waiting = 2;
 
   Destination destination_;
-  std::optional<VideoEncoder> film_;
+  std::unique_ptr<FilmEncoder> film_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<QueuedPicture> queue_;

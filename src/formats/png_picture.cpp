@@ -91,16 +91,17 @@ constinit const FileKind png_file{.extension = ".png",
                                   .label = "Picture",
                                   .description = "The current view of the scene, or the window."};
 
-constinit const FileKind film_file{.extension = ".mp4",
-                                   .title = "Film",
-                                   .source = ExportSource::Film,
-                                   .label = "Film",
-                                   .description = "The view from now on, until F12; needs ffmpeg."};
+namespace {
 
-constinit const FileKind animation_file{.extension = ".png",
-                                        .title = "Animated picture",
-                                        .source = ExportSource::Film,
-                                        .label = "Animated picture",
-                                        .description = "The view from now on, until F12. Browsers play it."};
+constexpr FileKind film_kind(std::string_view extension, std::string_view label, std::string_view description) {
+  return {.extension = extension, .title = label, .source = ExportSource::Film, .label = label, .description = description};
+}
+
+}  // namespace
+
+constinit const FileKind film_file = film_kind(".mp4", "Film", "The view from now on, until F12; needs ffmpeg.");
+constinit const FileKind webp_file = film_kind(".webp", "Animated picture", "The view from now on, until F12. Small; browsers play it.");
+constinit const FileKind gif_file =
+    film_kind(".gif", "Animated picture", "The view from now on, until F12. Every program plays it; the files are large, of 255 colors.");
 
 }  // namespace hooke

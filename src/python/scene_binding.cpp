@@ -31,7 +31,8 @@ const SpringList& springs_of(const NamedScene& scene) { return scene.scene().sys
 std::string at(const std::string& name, std::size_t index) { return name + "[" + std::to_string(index) + "]"; }
 
 NamedScene load(const std::string& name, const std::map<std::string, std::string>& options) {
-  return {name, load_file(find_scene(name), {}, to_import_options(options))};
+  LoadedScene loaded = load_file(find_scene(name), {}, to_import_options(options));
+  return {name, loaded, {}, loaded.warnings};
 }
 
 NamedScene parse(const std::string& text, const std::string& name) { return {name, parse_scene(text, name)}; }
@@ -323,6 +324,8 @@ void bind_scene(py::module_& module) {
       .def_property_readonly("title", [](const NamedScene& scene) { return scene.scene().name; })
       .def_property_readonly("description", [](const NamedScene& scene) { return scene.scene().description; })
       .def_property_readonly("warnings", [](const NamedScene& scene) { return scene.loaded.warnings; })
+      .def_property_readonly("told", [](const NamedScene& scene) { return scene.told; })
+      .def_property_readonly("summary", [](const NamedScene& scene) { return scene.loaded.summary; })
       .def_property_readonly("dimensions", [](const NamedScene& scene) { return scene.scene().system.dimensions; })
       .def_property_readonly("time", [](const NamedScene& scene) { return scene.scene().state.time; })
       .def_property_readonly("integrator", [](const NamedScene& scene) { return std::string(scene.scene().settings.integrator->id); })

@@ -19,6 +19,7 @@ struct NamedScene {
   std::string name;
   LoadedScene loaded;
   std::vector<ForceFunction> functions{};
+  std::vector<std::string> told{};  // the warnings that the function which loaded it gave
   // The options of the last run and its warnings, which take longer than a short run and are the same until the scene changes.
   struct Checked {
     SteppingOptions options;

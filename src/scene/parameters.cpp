@@ -8,6 +8,7 @@
 #include "scene/flatness.h"
 #include "scene/parameter_access.h"
 #include "scene/parameter_groups.h"
+#include "scene/spring_laws.h"
 #include "sim/control/automatic.h"
 
 namespace hooke {
@@ -281,11 +282,11 @@ constexpr std::array rows{
               .min = 0, .max = 1e4, .default_value = 0, .physical = not_negative, .logarithmic = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.damping; },
               .write = [](Scene& s, double value) { s.defaults.damping = value; }},
-    Parameter{.name = "new_cables", .field = "defaults.cables", .group = parameter_group::new_parts, .label = "New springs are cables", .unit = "",
-              .description = "Whether springs that are added from now on only pull.",
-              .kind = Kind::Switch, .default_value = 0, .omit_if_default = true,
-              .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.cables ? 1.0 : 0.0; },
-              .write = [](Scene& s, double value) { s.defaults.cables = value != 0.0; }},
+    Parameter{.name = "new_law", .field = "defaults.law", .group = parameter_group::new_parts, .label = "New springs' law", .unit = "",
+              .description = "Law of springs that are added from now on.",
+              .kind = Kind::Choice, .max = double(new_springs.size() - 1), .default_value = 0, .omit_if_default = true,
+              .scope = Scope::Setting, .choices = new_springs, .read = [](const Scene& s) { return double(s.defaults.law); },
+              .write = [](Scene& s, double value) { s.defaults.law = int(value); }},
     Parameter{.name = "new_mass", .field = "defaults.mass", .group = parameter_group::new_parts, .label = "New points' mass", .unit = "kg",
               .description = "Mass of points that are added from now on; 0: chosen from the points of the scene.",
               .min = 0, .max = 1e3, .default_value = 0, .physical = not_negative, .logarithmic = true, .zero_text = "as the others", .omit_if_default = true,

@@ -23,7 +23,7 @@ struct Defaults {
   double damping = 0.0;         // [N s/m]
   double pull_stiffness = 0.0;  // [N/m], of the drag spring; 0: chosen from the springs of the point
   GrabKind grab = GrabKind::Hold;
-  bool cables = false;               // whether springs that are added are cables
+  int law = 0;                       // of springs that are added, a number of new_springs
   bool mass_follows_radius = false;  // whether setting the radius of a point scales its mass by its square
   bool operator==(const Defaults&) const = default;
 };

@@ -6,6 +6,15 @@
 
 namespace hooke {
 
+std::optional<SpringLaw> new_spring_law(int choice, double stiffness, double rest_length) {
+  SpringLaw law;
+  if (choice < static_cast<int>(spring_forces.size())) law.force = static_cast<SpringForce>(choice);
+  if (law.force == SpringForce::Cubic && rest_length > 0.0) law.k3 = stiffness / (rest_length * rest_length);
+  if (new_springs[choice].id == "muscle") law.amplitude = 0.2;
+  if (new_springs[choice].id == "winch") law.rate = -0.1 * rest_length, law.min_rest_length = 0.2 * rest_length;
+  return law == SpringLaw{} ? std::nullopt : std::optional(law);
+}
+
 LawError error_of(const Spring& spring) {
   if (!spring.law) return {};
   const SpringLaw& law = *spring.law;

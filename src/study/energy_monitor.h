@@ -20,9 +20,8 @@ class EnergyMonitor {
   void begin_frame(const System& system, const State& state) { kinetic_ = kinetic_energy(system, state); }
   void end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion);
 
-  // Relative to the supplied energy [1]: RunMonitor::energy_rise and energy_change.
+  // Relative to the supplied energy [1]: RunMonitor::energy_rise.
   double rise() const { return rise_.energy / scale_; }
-  double change() const { return change_ / scale_; }
   // Of a gain, or a loss beyond what the scene may dissipate, of more than this part of the supplied energy; empty: none.
   std::string warning(double tolerance) const;
 
@@ -54,7 +53,7 @@ class EnergyMonitor {
   double dissipated_ = 0.0;           // [J], of it, as far as it is measured; negative
   Extreme rise_, loss_;               // above an earlier value; since the start, beyond what the scene may have dissipated until then
   Extreme hidden_gain_;               // since the start, beyond what contact, drag and dashpots are known to have dissipated
-  double change_ = 0.0, gain_ = 0.0;  // [J], since the start: as `change`, and the gain that is left
+  double change_ = 0.0, gain_ = 0.0;  // [J], since the start, of the modified energy where that changed less; and the gain that is left
   double scale_;                      // [J]
 };
 

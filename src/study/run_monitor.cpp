@@ -33,7 +33,6 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   if (state.memory.choice) estimated_error_ += state.memory.choice->error.value_or(0.0);
   unconverged_solves_ += motion.counts.unconverged_solves;
   if (system.dimensions == 3) note_crossings(motion.crossings, state.time - 1.0 / settings.frame_rate);
-  crossings_.is_forced = crossings_.is_forced || plan.hand.held || std::ranges::any_of(system.points(), &Point::nailed);
   energy_.end_frame(plan, settings, system, state, motion);
 }
 
@@ -43,12 +42,8 @@ std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const 
     warnings.push_back(std::to_string(unconverged_solves_) + (unconverged_solves_ == 1 ? " solve" : " solves") + " did not converge");
   // those of the start are another warning
   if (crossings_.first == 0 && crossings_.max > 0)
-    warnings.push_back((crossings_.is_forced ? "nailed or held points forced up to " : "up to ") +
-                       pluralize(static_cast<std::size_t>(crossings_.max), "edge", "edges") +
-                       (crossings_.is_forced  ? " through"
-                        : crossings_.max == 1 ? " passes through"
-                                              : " pass through") +
-                       " faces or springs, from " + quantity_text(crossings_.time, "s", 4) + " on");
+    warnings.push_back("up to " + pluralize(static_cast<std::size_t>(crossings_.max), "edge passes", "edges pass") +
+                       " through faces or springs, from " + quantity_text(crossings_.time, "s", 4) + " on");
   if (std::string warning = energy_.warning(tolerance.energy); !warning.empty()) warnings.push_back(std::move(warning));
   if (!(estimated_error_ <= tolerance.position))
     warnings.push_back("estimated error: " + quantity_text(estimated_error_, "m", 1) + " in total");

@@ -37,9 +37,6 @@ class RunMonitor {
   // No physical process causes one. A symplectic method lets the energy oscillate about its modified energy, which is no error of the
   // motion of that size: where the modified energy is known (Integrator::modified_energy), the smaller rise of the two counts.
   double energy_rise() const { return energy_.rise(); }
-  // Its change since the start, relative to the supplied energy [1]: an error of the method, as far as the scene cannot dissipate as much.
-  // Of the modified energy where that changed less.
-  double energy_change() const { return energy_.change(); }
   // Sum of the estimated errors of the frames [m], ignoring their later growth or decay.
   double estimated_error() const { return estimated_error_; }
 
@@ -52,8 +49,7 @@ class RunMonitor {
   struct Crossings {
     std::optional<long> first;  // none: not known yet
     long max = 0;
-    bool is_forced = false;  // whether anything was nailed or held
-    double time = 0.0;       // [s], when there were first some
+    double time = 0.0;  // [s], when there were first some
   };
   Crossings crossings_;
   EnergyMonitor energy_;

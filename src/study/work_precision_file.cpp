@@ -5,6 +5,8 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <map>
+#include <set>
 
 #include "base/csv_field.h"
 #include "base/file_limits.h"
@@ -270,41 +272,25 @@ void add_parts(std::vector<PartRecord>& known, const std::vector<PartRecord>& pa
   }
 }
 
-// A division of the same scenes and methods into so many parts.
-struct Division {
-  enum class Part : char { Missing, Begun, Complete };
-  std::string of;
-  std::vector<Part> parts;
-  bool is_complete() const { return std::ranges::count(parts, Part::Complete) == std::ssize(parts); }
-};
-
-std::vector<Division> divisions_of(const std::vector<PartRecord>& parts) {
-  std::vector<Division> divisions;
-  for (const PartRecord& part : parts) {
-    const auto is_of = [&](const Division& division) { return division.of == part.of && division.parts.size() == part.count; };
-    auto known = std::ranges::find_if(divisions, is_of);
-    if (known == divisions.end()) known = divisions.insert(known, {part.of, std::vector(part.count, Division::Part::Missing)});
-    known->parts[part.number - 1] = part.is_complete ? Division::Part::Complete : Division::Part::Begun;
-  }
-  return divisions;
-}
-
 // Of scenes and methods that were divided in several ways, one that is complete is enough.
 std::string describe_missing(const std::vector<PartRecord>& parts) {
-  constexpr std::size_t max_listed = 10;
-  const std::vector<Division> divisions = divisions_of(parts);
-  std::string text;
-  std::size_t listed = 0, others = 0;
-  for (const Division& division : divisions) {
-    const auto is_done = [&](const Division& other) { return other.of == division.of && other.is_complete(); };
-    if (std::ranges::any_of(divisions, is_done)) continue;
-    for (std::size_t i = 0; i < division.parts.size(); ++i) {
-      if (division.parts[i] == Division::Part::Complete || (listed >= max_listed && ++others > 0)) continue;
-      text += (listed++ > 0 ? ", shard " : "shard ") + std::to_string(i + 1) + '/' + std::to_string(division.parts.size()) +
-              (division.parts[i] == Division::Part::Begun ? " is not finished" : " is missing");
-    }
+  std::map<std::pair<std::string, std::size_t>, std::set<std::size_t>> finished;  // of the scenes and methods, and the number of parts
+  std::set<std::string> complete;
+  for (const PartRecord& part : parts) {
+    std::set<std::size_t>& numbers = finished[{part.of, part.count}];
+    if (part.is_complete) numbers.insert(part.number);
+    if (numbers.size() == part.count) complete.insert(part.of);
   }
-  return others == 0 ? text : text + ", and " + std::to_string(others) + " more";
+  for (const auto& [division, numbers] : finished) {
+    const auto& [of, count] = division;
+    if (complete.contains(of)) continue;
+    std::size_t first = 1;
+    while (numbers.contains(first)) ++first;
+    const std::string all = std::to_string(count);
+    return std::to_string(count - numbers.size()) + " of " + all + " shards are missing or not finished, the first is " +
+           std::to_string(first) + '/' + all;
+  }
+  return {};
 }
 
 }  // namespace

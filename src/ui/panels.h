@@ -164,7 +164,7 @@ struct Search {
 // The panel of the runs beside the run on screen. Closing it ends them.
 struct Ghosts {
   bool is_shown = false;
-  bool with_exact = false;
+  bool with_reference = false;
   std::vector<Settings> settings;
   static constexpr std::size_t max_settings = 4;
 };
@@ -183,13 +183,21 @@ struct Messages {
   void log(const std::string& text);
 };
 
+// A spectrum and what it was computed from.
+struct SpectrumOfPlots {
+  std::shared_ptr<const TraceTable> traces;
+  std::pair<double, double> span;  // [s]
+  TraceTable table;
+};
+
 // What the plots show.
 struct PlotView {
   bool is_shown = false;
-  double seconds = 1e9;                          // [s], maximum time span
-  std::optional<double> end;                     // [s], end of the time span; without a value it follows the newest time
-  bool is_dragged = false;                       // since the mouse was pressed over a plot
-  bool shows_spectrum = false;                   // amplitudes over the frequency, of the visible time span
+  double seconds = 1e9;         // [s], maximum time span
+  std::optional<double> end;    // [s], end of the time span; without a value it follows the newest time
+  bool is_dragged = false;      // since the mouse was pressed over a plot
+  bool shows_spectrum = false;  // amplitudes over the frequency, of the visible time span
+  SpectrumOfPlots spectrum;
   std::array<std::optional<double>, 2> cursors;  // [s], A and B
   // [s], over a plot or the timeline, which both mark it; and the one that the next frame marks
   std::optional<double> time_under_mouse, next_time_under_mouse;

@@ -63,9 +63,9 @@ struct ExplainStretch {};
 struct SaveComparison {
   std::string extension;
 };
-// Run these settings beside the run, from its present state on, drawn as ghosts; `with_exact`: and the exact solution, or a reference.
+// Run these settings beside the run, from its present state on, drawn as ghosts; `with_reference`: and a very accurate run.
 struct SetGhosts {
-  bool with_exact = false;
+  bool with_reference = false;
   std::vector<Settings> settings;
 };
 // Move the camera to where the run diverged.

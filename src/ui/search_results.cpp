@@ -89,7 +89,8 @@ class ResultFinder {
 
   void add_shape(const std::string& label, const ShapeKind* kind) {
     add("Add " + label, "part",
-        {StartPlacement{kind, input_.status.snapshot->system->dimensions == 2 && (kind == nullptr || kind->is_3d_only)}});
+        {StartPlacement{kind, input_.status.snapshot->system->dimensions == 2 && (kind == nullptr || kind->is_3d_only)}},
+        kind != nullptr ? std::string(kind->description) : "cloth obj");
   }
 
   void add_parameter(const Parameter& row, double value) {

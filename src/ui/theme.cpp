@@ -26,6 +26,7 @@ constexpr ImWchar missing_glyph = 0x25a1;  // a box
 // Chinese, Japanese and Korean characters of the texts so far: a font has too many to load all.
 std::set<ImWchar> cjk_characters;
 bool cjk_characters_are_new = false;
+bool has_emoji = false;  // in the texts so far
 
 void add_cjk_characters(float pixels) {
   static std::vector<ImWchar> ranges;  // as long as the fonts
@@ -178,6 +179,7 @@ void load_theme(double scale, double density) {
 void follow_text(std::string_view text) {
   constexpr ImWchar first = 0x2e80;
   for (std::size_t i = 0; i + 2 < text.size(); ++i) {
+    has_emoji = has_emoji || (text[i] & 0xf8) == 0xf0;
     if ((text[i] & 0xf0) != 0xe0) continue;
     const auto c = static_cast<ImWchar>((text[i] & 0x0f) << 12 | (text[i + 1] & 0x3f) << 6 | (text[i + 2] & 0x3f));
     if (c >= first) cjk_characters_are_new = cjk_characters.insert(c).second || cjk_characters_are_new;
@@ -187,9 +189,10 @@ void follow_text(std::string_view text) {
 bool needs_fonts() { return cjk_characters_are_new; }
 
 std::string missing_font() {
-  static bool is_reported = false;
-  if (cjk_characters.empty() || !cjk_font_file().empty() || std::exchange(is_reported, true)) return {};
-  return "Chinese, Japanese and Korean characters are shown as boxes until the package fonts-noto-cjk is installed";
+  static bool cjk_is_reported = false, emoji_are_reported = false;
+  if (!cjk_characters.empty() && cjk_font_file().empty() && !std::exchange(cjk_is_reported, true))
+    return "Chinese, Japanese and Korean characters are shown as boxes until the package fonts-noto-cjk is installed";
+  return has_emoji && !std::exchange(emoji_are_reported, true) ? "Emoji and other rare characters are shown as boxes" : "";
 }
 
 const Fonts& fonts() { return current_fonts; }

@@ -85,6 +85,25 @@ TEST(Colliders, AreSelectedByAClickSizedByAHandleAndDeleted) {
   EXPECT_EQ(gui.system().colliders.size(), 1u);
 }
 
+TEST(Colliders, ThatAreMadeTooSmallSaySo) {
+  GuiFixture gui(hanging());
+  place(gui, "Ball", {0.23, 0.33, 0.0});
+  gui.app().panels().messages.toast.clear();
+  gui.click(gui.seen({0.23, 0.33, 0.0}));
+  const Vec3 center(0.23, 0.33, 0.0);
+  const double radius = std::get<Sphere>(collider(gui).shape).radius;
+  gui.drag(gui.seen(center + Vec3(radius, 0.0, 0.0)), gui.seen(center + Vec3(0.02, 0.0, 0.0)));
+  gui.frames(2);
+  EXPECT_NE(gui.app().panels().messages.toast.find("fits between the points"), std::string::npos) << gui.app().panels().messages.toast;
+
+  gui.app().panels().messages.toast.clear();
+  std::vector<Collider> colliders = gui.system().colliders;
+  std::get<Sphere>(colliders.back().shape).radius = 0.01;
+  gui.app().handle(Request(Edit{SetColliders{colliders}}));
+  gui.frames(2);
+  EXPECT_NE(gui.app().panels().messages.toast.find("a ball of radius 0.01 m fits"), std::string::npos) << gui.app().panels().messages.toast;
+}
+
 TEST(Colliders, AreMovedByADrag) {
   GuiFixture gui(hanging());
   place(gui, "Box", {0.23, 0.33, 0.0});

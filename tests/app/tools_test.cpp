@@ -9,6 +9,7 @@
 #include "lab/lab.h"
 #include "scene/new_point.h"
 #include "scene/parameters.h"
+#include "scene/spring_laws.h"
 #include "support/tool_fixture.h"
 #include "support/tool_scenes.h"
 
@@ -144,6 +145,19 @@ TEST(AttachTool, TwoClicksMakeASpringAtItsDrawnLength) {
   EXPECT_NE(tool->next_step(fixture.context).find("next point"), std::string::npos);
   EXPECT_TRUE(tool->cancel(fixture.context));
   EXPECT_NE(tool->next_step(fixture.context).find("first point"), std::string::npos);
+}
+
+TEST(AttachTool, MakesSpringsOfTheLawForNewOnes) {
+  for (std::size_t law = 0; law < new_springs.size(); ++law) {
+    Scene scene = flat_scene({a, b});
+    scene.defaults.law = static_cast<int>(law);
+    ToolFixture fixture(scene);
+    const auto tool = make_attach_tool();
+    fixture.drag(*tool, a, b);
+    ASSERT_EQ(fixture.system().spring_count(), 1) << new_springs[law].id;
+    const Spring& spring = fixture.system().springs()[0];
+    EXPECT_EQ(spring.law, new_spring_law(static_cast<int>(law), scene.defaults.stiffness, spring.rest_length)) << new_springs[law].id;
+  }
 }
 
 TEST(AttachTool, ADragFromPointToPointMakesASpringAndEndsThere) {

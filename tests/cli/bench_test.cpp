@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -105,7 +104,7 @@ TEST(Bench, PartsAreMergedIntoOneTable) {
   fs::create_directories(half);
   const Process incomplete(half, {"--merge", scratch.folder / "2/2", "-q"});
   EXPECT_EQ(incomplete.wait(), 1);
-  EXPECT_EQ(incomplete.errors(), "incomplete: shard 1/2 is missing\n");
+  EXPECT_EQ(incomplete.errors(), "incomplete: 1 of 2 shards are missing or not finished, the first is 1/2\n");
   EXPECT_EQ(results_in(half).problems.at(0).rows, second.problems.at(0).rows);
 
   // a part for which nothing is left says so
@@ -189,43 +188,26 @@ TEST(Bench, ScalingMeasuresTimeAndMemoryOfEachSize) {
   EXPECT_NE(contents(scratch.folder / "report").find("slope of log(time) over log(springs): "), std::string::npos);
 }
 
-TEST(Bench, KernelsAreComparedWithTheLimitsOfTheMachine) {
+TEST(Bench, KernelsAreMeasured) {
   const ScratchFolder scratch;
   ASSERT_EQ(run(scratch.folder, {"--kernels", "--quick"}), 0);
   const std::string report = contents(scratch.folder / "report");
-  for (const char* line :
-       {"| fused multiply-adds | ", "| square root of a vector | ", "| division of a vector | ", "| triad in L2 ", "| triad in memory ",
-        "| grid | ", "| at rest on a plane | ", "| on a ball and a floor | ", "| lies in its folds | ", "| dashpots | ", "| wind | ",
-        "| general graph | ", "| jelly block | ", "| tr_bdf2 per 1/60 s | "})
+  for (const char* line : {"| grid | ", "| at rest on a plane | ", "| on a ball and a floor | ", "| lies in its folds | ", "| dashpots | ",
+                           "| wind | ", "| general graph | ", "| jelly block | ", "| tr_bdf2 per 1/60 s | "})
     EXPECT_NE(report.find(line), std::string::npos) << line << report;
   std::istringstream csv(contents(scratch.folder / "kernels.csv"));
   std::string line;
   std::getline(csv, line);
-  EXPECT_EQ(line, "case,points,springs,ns_per_spring,limit_ns_per_spring,part_of_limit");
+  EXPECT_EQ(line, "case,points,springs,ns_per_spring");
   int rows = 0;
-  std::map<std::string, double> limits;  // [ns] of 64 x 64 points
   for (; std::getline(csv, line); ++rows) {
     std::istringstream row(line.substr(line.find(',') + 1));
-    double points = 0.0, springs = 0.0, each = 0.0, limit = 0.0, part = 0.0;
+    double points = 0.0, springs = 0.0, each = 0.0;
     char comma = 0;
     row >> points >> comma >> springs >> comma >> each;
     EXPECT_GT(springs, 2 * points) << line;
-    // steps that are not computed have no limit
-    if (line.starts_with("at rest ")) {
-      EXPECT_TRUE(line.ends_with(",,")) << line;
-      continue;
-    }
-    row >> comma >> limit >> comma >> part;
-    EXPECT_GT(limit, 0.0) << line;
-    EXPECT_NEAR(part, limit / each, 0.01 * part) << line;
-    if (points == 64.0 * 64.0) limits[line.substr(0, line.find(','))] = limit;
+    EXPECT_GT(each, 0.0) << line;
   }
-  // two threads, and single precision, have limits of their own; beside other programs, memory may be no faster for two threads
-  EXPECT_LE(limits.at("grid on two threads"), limits.at("grid"));
-  EXPECT_LE(limits.at("grid in single precision on two threads"), limits.at("grid in single precision"));
-  EXPECT_NE(limits.at("grid in single precision"), limits.at("grid"));
-  const std::size_t at_rest = report.find("| at rest on a plane |");
-  EXPECT_EQ(report.substr(at_rest, report.find('\n', at_rest) - at_rest).find('%'), std::string::npos);
   EXPECT_EQ(rows, 51);
 }
 

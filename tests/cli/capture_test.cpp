@@ -183,7 +183,7 @@ TEST(Capture, RefusesInOneLine) {
   const ScratchFolder scratch;
   const std::string size = " must be WIDTHxHEIGHT, each from 1 to 8192\n";
   const std::string camera = " must be six numbers, of the eye and a different target [m]\n";
-  const std::string out = " must end in .png or .mp4, or be a folder (a new one with a dot in its name must end in /)\n";
+  const std::string out = " must end in .png, .mp4, .webp or .gif, or be a folder (a new one with a dot in its name must end in /)\n";
   const std::vector<std::tuple<std::string, int, std::string>> refusals{
       {"two_masses --out a.png --size 0x9", 2, "--size 0x9:" + size},
       {"two_masses --out a.png --size 640", 2, "--size 640:" + size},

@@ -75,11 +75,11 @@ TEST(Check, AutoHoldsOrReportsInTheCasesOfHarmonicMotionAndResonance) {
   EXPECT_NE(outcome.out.find("none unexpected"), std::string::npos) << outcome.out;
 }
 
-// A mouse at 50 m/s: peak strain within a factor of two of the converged one, no energy gained, no point through the slab.
+// A mouse at 50 m/s: the peak strain is bounded, and the energy does not rise after the release.
 TEST(Check, TheDefaultMethodIsAccurateUnderAFastMouse) {
-  const Outcome outcome = check({"--hard", "--cases", "8", "--methods", "velocity_verlet", "--strict"});
+  const Outcome outcome = check({"fast_mouse"});
   EXPECT_EQ(outcome.code, 0) << outcome.out;
-  EXPECT_NE(outcome.out.find("1 held"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("passed  fast_mouse, velocity_verlet"), std::string::npos) << outcome.out;
 }
 
 TEST(Check, WrongUsageIsCodeTwo) {
@@ -98,12 +98,12 @@ TEST(Check, WrongUsageIsCodeTwo) {
   }
 }
 
-// What `check` prints that is interrupted after this time. Case 34 takes a minute, the other almost no time.
+// What `check` prints that is interrupted after this time. Case 19 takes half a minute, the other almost no time.
 std::string interrupted_after(std::chrono::milliseconds time) {
   int out[2];
   if (pipe(out) != 0) return "no pipe";
   const pid_t child = start_process(
-      {HOOKE_HEADLESS, "check", "--hard", "--cases", "20,34", "--methods", "velocity_verlet", "--threads", "2"}, out[1], STDERR_FILENO);
+      {HOOKE_HEADLESS, "check", "--hard", "--cases", "19,20", "--methods", "velocity_verlet", "--threads", "2"}, out[1], STDERR_FILENO);
   close(out[1]);
   std::this_thread::sleep_for(time);
   kill(child, SIGINT);

@@ -58,6 +58,13 @@ TEST_F(Films, ContainTheSamePicturesAsAFolder) {
   EXPECT_EQ(film.substr(3u * 64 * 36 * 3), std::string(last.pixels.begin(), last.pixels.end()));
 }
 
+TEST_F(Films, NeedNoFfmpegAsWebpOrGif) {
+  for (const char* file : {"a.webp", "a.gif"})
+    EXPECT_EQ(run(std::string("capture cloth --seconds 0.1 --fps 30 --size 64x36 --out ") + file, "/nowhere").code, 0);
+  EXPECT_EQ(contents("a.webp").substr(8, 4), "WEBP");
+  EXPECT_EQ(contents("a.gif").substr(0, 6), "GIF89a");
+}
+
 // ffmpeg 5.1 on a disk that becomes full while it writes the end of the file.
 TEST_F(Films, WhoseEndCannotBeWrittenAreRefused) {
   install_ffmpeg(

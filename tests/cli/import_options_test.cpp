@@ -45,8 +45,9 @@ TEST(ImportOptions, AreRefusedWithTheirNames) {
   EXPECT_NE(refusal({"run", mesh, "--up", "x"}).find("--up x: must be y or z"), std::string::npos);
   EXPECT_NE(refusal({"run", mesh, "--weld", "much"}).find("--weld much: "), std::string::npos);
   EXPECT_NE(refusal({"run", "cloth", "--seconds", "1", "--weld", "1"}).find("weld, scale and up: only of a mesh"), std::string::npos);
-  EXPECT_NE(refusal({"run", write_file(scratch.folder / "a.stl", "solid a\n"), "--seconds", "1"}).find(".stl: must be .json, .obj or .xsp"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal({"run", write_file(scratch.folder / "a.stl", "solid a\n"), "--seconds", "1"}).find(".stl: must be .json, .obj, .xsp or .xml"),
+      std::string::npos);
 }
 
 TEST(Run, APointCacheFarFromTheOriginWarnsOfItsPrecision) {

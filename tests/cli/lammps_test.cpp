@@ -174,9 +174,9 @@ TEST(Lammps, AFailingEngineIsOneLine) {
            {"false", 5, "--engine \"false\": failed with exit code 1"},
            {"true", 5, "--engine \"true\": ended without writing a frame"},
            {std::string(LAMMPS) + " -bad_option", 5, "ERROR: Invalid command-line argument"},
-           {std::string(MPIRUN) + " -np 2 no_such_program", 5, "executable file, and therefore did not launch the job: no_such_program\n"},
-           {std::string(MPIRUN) + " -np 2 /etc/passwd", 5, "could not access or execute an executable: /etc/passwd\n"},
-           {std::string(MPIRUN) + " -np 2 false", 5, ", but 1 process returned a non-zero exit code\n"},
+           {std::string(MPIRUN) + " -np 2 no_such_program", 5, "executable file, and therefore did not launch the job"},
+           {std::string(MPIRUN) + " -np 2 /etc/passwd", 5, "could not access or execute an executable"},
+           {std::string(MPIRUN) + " -np 2 false", 5, ", but 1 process returned a non-zero exit code"},
            {" ", 2, "--engine: must be a command"},
        }) {
     const Outcome outcome = headless_with_mpi({"run", scene, "--seconds", "0.5", "--json", json, "--engine", failure.engine});

@@ -90,7 +90,9 @@ TEST(Arrange, WeldingKeepsMassMomentumAndSpringsAndSplittingDividesTheMass) {
 TEST(Arrange, WeldedAndSplitSpringsKeepTheirShareOfTheSheet) {
   for (const bool welds : {true, false}) {
     Scene scene = bar();
-    scene.sheet = std::make_shared<const SheetWeights>(SheetWeights{{0.1, 0.2, 0.1}, {0.75, 0.5}});
+    SheetWeights weights;
+    weights.spring_weight = std::vector<double>{0.75, 0.5};
+    scene.sheet = std::make_shared<const SheetWeights>(weights);
     const auto& points = scene.system.points();
     take(scene, welds ? weld(snapshot_of(scene), scene.sheet.get(), {points[0].id, points[2].id}, ids_of(scene))
                       : split(snapshot_of(scene), scene.sheet.get(), {points[1].id}, ids_of(scene)));

@@ -9,6 +9,7 @@
 #include "fuzz/recording_input.h"
 #include "fuzz/scene_input.h"
 #include "fuzz/settings_input.h"
+#include "fuzz/xml_input.h"
 #include "fuzz/xsp_input.h"
 #include "support/contents.h"
 
@@ -28,6 +29,7 @@ int replay(const std::string& format, void (*try_as)(std::string_view bytes)) {
 
 TEST(FuzzCorpus, EverySceneIsLoadedOrRefused) { EXPECT_GT(replay("scene", try_as_scene), 20); }
 TEST(FuzzCorpus, EveryXspIsLoadedOrRefused) { EXPECT_GT(replay("xsp", try_as_xsp), 10); }
+TEST(FuzzCorpus, EveryXmlIsLoadedOrRefused) { EXPECT_GT(replay("xml", try_as_xml), 10); }
 TEST(FuzzCorpus, EveryPngIsDecodedOrRefused) { EXPECT_GT(replay("png", try_as_png), 10); }
 TEST(FuzzCorpus, EverySettingsFileIsReadOrRefused) { EXPECT_GT(replay("settings", try_as_settings), 10); }
 TEST(FuzzCorpus, EveryRecordingIsPlayedOrRefused) { EXPECT_GT(replay("recording", try_as_recording), 10); }

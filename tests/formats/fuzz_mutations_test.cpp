@@ -1,4 +1,4 @@
-// Every file reader under random mutations of its corpus, for some seconds per format. The sequence of mutations is the same in every run.
+// Every file reader under random mutations of its corpus, for a second per format. The sequence of mutations is the same in every run.
 // scripts/fuzz goes deeper, with coverage feedback from the compiler.
 
 #include <gtest/gtest.h>
@@ -17,6 +17,7 @@
 #include "fuzz/scene_input.h"
 #include "fuzz/settings_input.h"
 #include "fuzz/table_words.h"
+#include "fuzz/xml_input.h"
 #include "fuzz/xsp_input.h"
 #include "support/contents.h"
 
@@ -26,7 +27,7 @@ namespace {
 // [s] per format; scripts/fuzz takes longer. HOOKE_FUZZ_SECONDS overrides it.
 double budget() {
   const char* given = std::getenv("HOOKE_FUZZ_SECONDS");
-  return given != nullptr ? std::atof(given) : 4.0;
+  return given != nullptr ? std::atof(given) : 1.0;
 }
 
 std::vector<std::string> read_all(const std::filesystem::path& folder, std::uintmax_t max_bytes) {
@@ -78,6 +79,7 @@ TEST(Fuzzed, Recordings) {
 }
 TEST(Fuzzed, Settings) { fuzz("settings", read_all(FUZZ_FOLDER "/corpus/settings", 20'000), try_as_settings); }
 TEST(Fuzzed, Xsp) { fuzz("xsp", read_all(FUZZ_FOLDER "/corpus/xsp", 20'000), try_as_xsp); }
+TEST(Fuzzed, Xml) { fuzz("xml", read_all(FUZZ_FOLDER "/corpus/xml", 20'000), try_as_xml); }
 TEST(Fuzzed, Obj) { fuzz("obj", read_all(FUZZ_FOLDER "/corpus/obj", 20'000), try_as_obj); }
 TEST(Fuzzed, Png) { fuzz("png", read_all(FUZZ_FOLDER "/corpus/png", 20'000), try_as_png); }
 

@@ -91,9 +91,9 @@ TEST(OpenFile, ReadsEachExtensionWithItsReader) {
   EXPECT_EQ(load_file(folder.file("scene", "{\"hooke\": 1}")).scene.system.point_count(), 0);
 
   const std::string ply = folder.file("a.ply", "ply").string();
-  EXPECT_EQ(refusal([&] { load_file(ply); }), ply + ": file format: .ply: can only be written: must be .json, .obj or .xsp");
+  EXPECT_EQ(refusal([&] { load_file(ply); }), ply + ": file format: .ply: can only be written: must be .json, .obj, .xsp or .xml");
   const std::string stl = folder.file("a.stl", "solid x").string();
-  EXPECT_EQ(refusal([&] { load_file(stl); }), stl + ": file format: .stl: must be .json, .obj or .xsp");
+  EXPECT_EQ(refusal([&] { load_file(stl); }), stl + ": file format: .stl: must be .json, .obj, .xsp or .xml");
   EXPECT_EQ(load_file(folder.file("scene.json~", "\n{\"hooke\": 1}")).scene.system.point_count(), 0);
   EXPECT_THROW(load_file(folder.folder / "none.obj"), FileError);
   EXPECT_EQ(refusal([&] { load_file(folder.file("bad\n.xsp", "")); }),
@@ -138,6 +138,11 @@ TEST(OpenFile, ReadsCompressedFilesAndByteOrderMarks) {
       const std::string wide = folder.file("wide_" + name, start + texts[i]).string();
       EXPECT_EQ(refusal([&] { load_file(wide); }), wide + ": encoding: UTF-16: must be UTF-8 or ASCII");
     }
+  }
+  for (const std::string& start :
+       {std::string("\xff\xfe\0\0", 4), std::string("\0\0\xfe\xff", 4), std::string("v\0\0\0", 4), std::string("\0\0\0v", 4)}) {
+    const std::string wide = folder.file("wide.obj", start).string();
+    EXPECT_EQ(refusal([&] { load_file(wide); }), wide + ": encoding: UTF-32: must be UTF-8 or ASCII");
   }
   std::string members;
   const std::string mebibyte = gzip(std::string(std::size_t{1} << 20, ' '));

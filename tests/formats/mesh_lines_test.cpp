@@ -74,7 +74,7 @@ TEST(Mesh, AlmostCoincidentEdgesAreReportedAndWeldedOnDemand) {
   // two squares, the second 0.005 mm away from the first
   const std::string seam = square + "v 1.000005 0 0\nv 2 0 0\nv 2 1 0\nv 1.000005 1 0\nf 5 6 7 8\n";
   EXPECT_EQ(load(seam).warnings,
-            std::vector<std::string>{"test.obj: 2 points on open edges are within 0.1 mm of others: not joined (--weld 0.0001)"});
+            std::vector<std::string>{"test.obj: 2 points on open edges are within 0.05 mm of others: not joined (--weld 5e-05)"});
   ImportOptions options;
   options.seam_distance = 1e-5;
   const LoadedScene joined = load(seam, options);

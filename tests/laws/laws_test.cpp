@@ -55,6 +55,18 @@ TEST(SpringLaw, ASofteningSpringKeepsItsLargestForce) {
   EXPECT_DOUBLE_EQ(response_of(law, 300.0, -5.0 * p).tension, -200.0 * p);
 }
 
+TEST(SpringLaw, ASofteningSpringNeverRepelsWhenLongNorAttractsWhenShort) {
+  for (const double k3 : {-1e-3, -1e3, -1e12}) {
+    double before = -std::numeric_limits<double>::infinity();
+    for (double e = -1.0; e < 50.0; e += 0.125) {
+      const double tension = response_of(law_of(SpringForce::Cubic, k3), 300.0, e).tension;
+      EXPECT_GE(tension, before) << k3 << " " << e;
+      EXPECT_GE(tension * e, 0.0) << k3 << " " << e;
+      before = tension;
+    }
+  }
+}
+
 // ---- closed forms
 
 // m g y = k/2 (y - l0)^2, y below the bridge; a spring that also pushes starts with k/2 l0^2: y = 2 (l0 + m g / k)

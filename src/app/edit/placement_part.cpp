@@ -142,11 +142,12 @@ std::optional<PairContact> contact_of(const Placement& placement, const Scene& p
 }
 
 void mark_part(const Scene& part, Marks& marks) {
-  // more lines would not be distinguishable
+  // more lines would not be distinguishable; at equal distances in the list, they would show stripes
   constexpr std::size_t max_lines = 20'000;
   const System& system = part.system;
-  const std::size_t every = 1 + system.springs().size() / max_lines;
-  for (std::size_t s = 0; s < system.springs().size(); s += every) {
+  const std::uint32_t every = 1 + static_cast<std::uint32_t>(system.springs().size() / max_lines);
+  for (std::size_t s = 0; s < system.springs().size(); ++s) {
+    if ((static_cast<std::uint32_t>(s) * 2654435769u >> 16) % every != 0) continue;  // Knuth's multiplicative hash
     const Spring& spring = system.springs()[s];
     marks.ghost_lines.emplace_back(part.state.position[system.index_of(spring.first)], part.state.position[system.index_of(spring.second)]);
   }

@@ -11,7 +11,6 @@
 #include "app/edit/placement_part.h"
 #include "base/printable.h"
 #include "formats/mesh/mesh_cloth.h"
-#include "scene/warnings/warnings.h"
 
 namespace hooke {
 namespace {
@@ -143,12 +142,11 @@ void Placer::place() {
     std::vector<Collider> colliders = carried_colliders(context_.system(), context_.snapshot().state);
     context_.selection = {.points = {}, .springs = {}, .collider = static_cast<Index>(colliders.size())};
     colliders.push_back(*collider);
-    if (const auto text = small_collider_text(context_.system(), context_.snapshot().state, *collider))
-      panels_.show_toast("Note: " + *text);
+    context_.note_gaps(*collider);
     context_.lab.submit(SetColliders{std::move(colliders)}, context_.begin_gesture());
     return stop();
   }
-  const Scene placed = part();
+  Scene placed = part();
   if (placed.system.point_count() == 0) return panels_.show_toast("Nothing to place yet");
   // in an empty scene, the mesh looks as it does when its file is opened
   if (panels_.placement.is_mesh && context_.system().points().empty()) panels_.view.points = panels_.view.springs = false;
@@ -156,11 +154,13 @@ void Placer::place() {
   Insert insert = make_insert(placed, Vec3(0.0), context_.new_ids());
   insert.contact = contact_of(panels_.placement, placed, context_.system().dimensions == 2);
   context_.lab.submit(std::move(insert));
+  placed_ = std::move(placed);
   stop();
 }
 
 void Placer::follow(const Pointer& pointer) {
   if (!is_on()) {
+    if (placed_ && context_.lab.settle(std::chrono::milliseconds(0))) placed_.reset();
     restore_view();
     mesh_.reset();
     is_pressed_ = false;
@@ -179,8 +179,8 @@ void Placer::follow(const Pointer& pointer) {
 void Placer::mark(Marks& marks) const {
   if (const auto& collider = panels_.placement.collider)
     marks.ghost_lines = outline_of(*collider, size_in_view());
-  else
-    mark_part(part(), marks);
+  else if (is_on() || placed_)
+    mark_part(is_on() ? part() : *placed_, marks);
 }
 
 Scene Placer::part() const { return part_of(panels_.placement, mesh_.get(), context_.camera.pole, context_.system().dimensions == 2); }

@@ -28,7 +28,7 @@ class Placer {
   void press() { is_pressed_ = true; }
   void release() { is_pressed_ = false; }
   void follow(const Pointer& pointer);
-  // The preview.
+  // The preview, until what was placed is in the scene.
   void mark(Marks& marks) const;
 
  private:
@@ -44,6 +44,7 @@ class Placer {
   const Layout& layout_;
   FileTask& task_;
   std::shared_ptr<const Scene> mesh_;  // null until one is read
+  std::optional<Scene> placed_;        // on its way into the scene
   bool is_pressed_ = false;
   std::optional<Camera> view_before_;  // the preview needed another distance
   Camera view_now_{};

@@ -22,7 +22,7 @@ void Captures::start_or_stop_film() {
   if (film_recorder_.is_filming())
     film_recorder_.end_film();
   else
-    start_film(document_.new_file_beside(find_program("ffmpeg").empty() ? ".png" : ".mp4"));
+    start_film(document_.new_file_beside(find_program("ffmpeg").empty() ? ".webp" : ".mp4"));
 }
 
 void Captures::start_or_stop_recording() {

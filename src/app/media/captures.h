@@ -25,7 +25,7 @@ class Captures {
   std::optional<WantedPicture> take_wanted_picture() { return std::exchange(picture_, std::nullopt); }
   void report_picture(const std::filesystem::path& file, const std::string& error);
 
-  // An .mp4, or an animated .png, which needs no ffmpeg.
+  // A file of a film format (draw/film/film_encoder.h).
   void start_film(const std::filesystem::path& file);
   void start_or_stop_film();
   void start_or_stop_recording();

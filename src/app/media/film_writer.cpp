@@ -6,11 +6,8 @@
 
 namespace hooke {
 
-FilmWriter::FilmWriter(std::filesystem::path file, int width, int height, double video_frame_rate) : file_(std::move(file)) {
-  if (file_.extension() == ".mp4")
-    film_.emplace(file_, width, height, video_frame_rate);
-  else
-    animation_.emplace(file_, video_frame_rate);
+FilmWriter::FilmWriter(std::filesystem::path file, int width, int height, double video_frame_rate)
+    : file_(std::move(file)), film_(find_film_format(file_)(file_, width, height, video_frame_rate)) {
   thread_ = std::thread([this] { write(); });
 }
 
@@ -20,7 +17,7 @@ FilmWriter::~FilmWriter() {
     dropped_ = !ended_;
   }
   changed_.notify_one();
-  if (dropped_ && film_) film_->abort();
+  if (dropped_) film_->abort();
   thread_.join();
 }
 
@@ -66,12 +63,8 @@ void FilmWriter::write() {
 
 std::string FilmWriter::write_all() {
   try {
-    while (const auto queued_frame = next())
-      if (animation_)
-        animation_->add(queued_frame->picture, queued_frame->times);
-      else
-        for (long i = 0; i < queued_frame->times; ++i) film_->add(queued_frame->picture);
-    if (!dropped_) animation_ ? animation_->close() : film_->close();
+    while (const auto queued_frame = next()) film_->add(queued_frame->picture, queued_frame->times);
+    if (!dropped_) film_->close();
     return {};
   } catch (const std::exception& error) {  // FileError, or a picture that cannot be encoded
     return error.what();

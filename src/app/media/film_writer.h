@@ -1,22 +1,22 @@
-// A film that is written in a background thread: adding pictures never waits for ffmpeg.
+// A film that is written in a background thread: adding pictures never waits for its encoder.
 #pragma once
 
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 
-#include "app/media/animation_encoder.h"
-#include "formats/video_encoder.h"
+#include "draw/film/film_encoder.h"
 
 namespace hooke {
 
 class FilmWriter {
  public:
-  // A .mp4 by ffmpeg, else an animated picture. Throws FileError if ffmpeg cannot be started.
+  // A file of a film format. Throws FileError if it cannot be started.
   FilmWriter(std::filesystem::path file, int width, int height, double video_frame_rate);
   ~FilmWriter();  // deletes an unfinished film; waits for a finished one
   FilmWriter(const FilmWriter&) = delete;
@@ -43,8 +43,7 @@ class FilmWriter {
   static constexpr std::size_t max_waiting = std::size_t{96} << 20;
 
   std::filesystem::path file_;
-  std::optional<VideoEncoder> film_;
-  std::optional<AnimationEncoder> animation_;
+  std::unique_ptr<FilmEncoder> film_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<QueuedFrame> queue_;

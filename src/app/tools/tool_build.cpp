@@ -3,6 +3,7 @@
 
 #include "app/tools/tools.h"
 #include "scene/new_point.h"
+#include "scene/spring_laws.h"
 
 namespace hooke {
 namespace {
@@ -14,13 +15,14 @@ PlacedPoint placed(const NewPoint& point, const Vec3& place, ToolContext& contex
 // Its rest length is the current distance.
 PlacedSpring new_spring(PointId first, const Vec3& from, PointId second, const Vec3& to, ToolContext& context) {
   const Defaults& defaults = context.status->document->defaults;
+  const double length = glm::distance(from, to);
   return {.spring = {.id = context.lab.new_spring_id(),
                      .first = first,
                      .second = second,
                      .stiffness = defaults.stiffness,
                      .damping = defaults.damping,
-                     .rest_length = glm::distance(from, to),
-                     .law = defaults.cables ? std::optional(SpringLaw{.force = SpringForce::Cable}) : std::nullopt}};
+                     .rest_length = length,
+                     .law = new_spring_law(defaults.law, defaults.stiffness, length)}};
 }
 
 // Attaches a point to the one under the cursor, or to a new one there. One step of the history. Returns the other end; nothing if it is the

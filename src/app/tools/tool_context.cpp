@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "scene/warnings/warnings.h"
+
 namespace hooke {
 namespace {
 
@@ -25,6 +27,10 @@ bool ToolContext::settle() {
   const bool settled = lab.settle(patience);
   take_status();
   return settled;
+}
+
+void ToolContext::note_gaps(const Collider& collider) {
+  if (const auto text = small_collider_text(system(), snapshot().state, collider)) notice = "Note: " + *text;
 }
 
 SetColliders removal_of_collider(Index collider, const ToolContext& context) {

@@ -44,6 +44,8 @@ struct ToolContext {
   void take_status();
   // Waits for a moment until the laboratory has handled what was submitted, and reads its status. Returns false if it is not finished.
   bool settle();
+  // Notes that the collider fits between the points of what it should stop.
+  void note_gaps(const Collider& collider);
 
   // Under the cursor or within picking distance.
   std::optional<PointId> point_at(const glm::dvec2& cursor) const;

@@ -62,6 +62,8 @@ class SelectTool : public Tool {
     if (interaction_ == Interaction::Velocity) set_velocity(context);
     if (interaction_ == Interaction::Collider && !collider_moves_)
       context.selection = {.points = {}, .springs = {}, .collider = collider_.collider()};
+    if (is_sized_ && context.settle())
+      if (const auto sized = selected_collider(context)) context.note_gaps(*sized);
     collider_.end(context);
     if (interaction_ == Interaction::Waiting) context.selection = {{point_}, {}};
     *this = {};

@@ -70,51 +70,23 @@ double cpu_of_children() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// The first sentence of an explanation of mpirun, whose lines are separated by spaces and whose paragraphs by '\n', and the program that
-// could not be started.
-std::string summary(std::string text) {
-  constexpr std::string_view label = "Executable: ";
-  std::string program;
-  if (const std::size_t at = text.find(label); at != std::string::npos)
-    program = ": " + text.substr(at + label.size(), text.find_first_of(" \n", at + label.size()) - at - label.size());
-  // the name of a program may follow a colon and an empty line
-  if (const std::size_t at = text.find(":\n"); at != std::string::npos) text[at + 1] = ' ';
-  text.resize(std::min({text.find('\n'), text.find(". "), text.find(label), text.size()}));
-  if (!program.empty()) text.resize(text.find_last_not_of(" :.") + 1);
-  return text + program;
-}
-
-// The line that says why the engine failed: the first one with ERROR; else the first one, or the last one, if LAMMPS was running. Mpirun
-// explains failures in several lines, after a line of dashes.
+// The line that says why the engine failed: the first one with ERROR; else the first ones, or the last one, if LAMMPS was running.
 struct EngineOutput {
-  std::string error, first, last, explanation;
+  static constexpr std::size_t max_reason = 200;
+  std::string error, first, last;
   void add(const std::string& line) {
-    if (line.starts_with("---")) is_explained_ = first.empty();
-    if (is_explained_) add_to_explanation(line);
     if (line.find_first_not_of(" \t\r-*=") == std::string::npos) return;
     if (error.empty() && line.find("ERROR") != std::string::npos) error = line;
-    if (first.empty()) first = line;
+    if (first.size() < max_reason) first += (first.empty() ? "" : " ") + line;
     last = line;
   }
-  std::string reason() const {
-    return printable(!error.empty() ? error : first.starts_with("LAMMPS") ? last : explanation.empty() ? first : summary(explanation), 200);
-  }
+  std::string reason() const { return printable(!error.empty() ? error : first.starts_with("LAMMPS") ? last : first, max_reason); }
   // Why the motion may be at fault: LAMMPS has lost points that are not finite, or cannot find the other end of a long spring.
   std::string cause_in_motion() const {
     if (error.find("Non-numeric") != std::string::npos || error.find("Lost atoms") != std::string::npos) return "the motion diverged";
     const bool is_spring = error.find("Bond atom") != std::string::npos && error.find("missing") != std::string::npos;
     return is_spring ? "the motion diverged, or a spring became longer than twice its length at rest or at the start" : "";
   }
-
- private:
-  void add_to_explanation(std::string_view line) {
-    if (line.starts_with("---")) return;
-    bool is_empty = true;
-    for (std::string_view word; !(word = next_token(line)).empty(); is_empty = false)
-      explanation += (explanation.empty() || explanation.ends_with('\n') ? "" : " ") + std::string(word);
-    if (is_empty && !explanation.empty()) explanation += '\n';
-  }
-  bool is_explained_ = false;
 };
 
 // The step in a line of LAMMPS's table of step, potential and kinetic energy; none if it is another line.

@@ -110,13 +110,6 @@ bool read_row(const JsonField& field, const Sweep& sweep, SweepRow& row) {
   return true;
 }
 
-// Whether the runs had the same result; their CPU times differ.
-bool is_same_result(const Sweep& sweep, SweepRow first, const SweepRow& second) {
-  for (std::size_t i = 0; i < sweep.measures.size(); ++i)
-    if (!sweep.measures[i].quantity) first.values[i] = second.values[i];
-  return first == second;
-}
-
 }  // namespace
 
 std::string format_definition(const Sweep& sweep) {
@@ -221,11 +214,7 @@ JournalContents merge_journals(const std::vector<std::filesystem::path>& files) 
     }
     if (contents.definition != merged.definition)
       throw InputError(name + ": contains another sweep than " + first + ": scene, options or version differ");
-    for (const auto& [number, row] : contents.rows) {
-      const auto [at, is_new] = merged.rows.emplace(number, row);
-      if (!is_new && !is_same_result(merged.sweep, at->second, row))
-        throw InputError(name + ": row " + std::to_string(number) + ": differs from that of another part");
-    }
+    merged.rows.merge(contents.rows);
   }
   return merged;
 }

@@ -49,8 +49,8 @@ class SweepJournal {
   SweepRows rows_;
 };
 
-// The rows of all journals together. Throws InputError if they belong to different sweeps or if rows that they share differ in more than
-// CPU time.
+// The rows of all journals together; of a row that several of them have, the first counts. Throws InputError if they belong to different
+// sweeps.
 JournalContents merge_journals(const std::vector<std::filesystem::path>& files);
 
 }  // namespace hooke

@@ -129,8 +129,7 @@ std::vector<CLI::Option*> add_other_measurements(CLI::App& app, BenchOptions& op
       app.add_flag("--scaling", options.scaling,
                    "Measure the time and the memory of cloths of 1e3 to 4e6 springs instead, and write them to scaling.csv"),
       app.add_flag("--kernels", options.kernels,
-                   "Measure the limits of this machine and how close the steps of several kinds of cloth come to them instead, and write "
-                   "them to kernels.csv"),
+                   "Measure the time of a step of several kinds of cloth instead, and write it to kernels.csv"),
       app.add_flag("--edits", options.edits, "Measure how long edits of running cloths take to be seen instead, and write it to edits.csv"),
       app.add_flag("--capacity", options.capacity,
                    "Measure the largest cloth that each method steps at 60 frames per second within --error instead, and write it to "

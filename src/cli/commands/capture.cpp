@@ -81,9 +81,10 @@ std::function<int()> declare_capture(CLI::App& app) {
   app.add_option("--replay", options->replay,
                  "A recording (" + std::string(recording_extension) + ") to replay instead of SCENE, by default to its end")
       ->type_name("LOG");
-  app.add_option("--out", options->out, "A .png for the last picture only, a folder for all (frame_00000.png, ...), or a .mp4 (by ffmpeg)")
+  app.add_option("--out", options->out,
+                 "A .png for the last picture only, a folder for all (frame_00000.png, ...), or a film: .mp4 (by ffmpeg), .webp or .gif")
       ->required()
-      ->type_name("FILE.png|DIR|FILE.mp4");
+      ->type_name("FILE|DIR");
   CLI::Option* seconds = app.add_option("--seconds", options->seconds, "Simulated time from the first picture to the last [s]; default: 0")
                              ->type_name("S")
                              ->check(within(not_negative));

@@ -121,7 +121,11 @@ void ClothSurface::draw(const Shader& shader) {
   if (request_) upload_picture();
   glUniform1i(shader.uniform("picture"), 0);
   glUniform1i(shader.uniform("is_printed"), request_ ? 1 : 0);
+  // triangles seen edge-on: their depth is so steep that its rounding error would put them behind what they cover
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(-0.01f, 0.0f);
   stream_.draw_indexed(vertices_.data(), vertices_.size(), indices_);
+  glDisable(GL_POLYGON_OFFSET_FILL);
   if (request_) glBindTexture(GL_TEXTURE_2D, 0);
 }
 

@@ -1,16 +1,16 @@
 #include "formats/mesh/seams.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "base/round_number.h"
 #include "formats/mesh/weld_vertices.h"
 
 namespace hooke {
 namespace {
 
-constexpr double gap_ratio = 1e-4;  // of the mean open edge: rounding of coordinates with about four digits
+constexpr double gap_ratio = 1e-4;  // of the mean open edge, or a rounder number below: rounding of coordinates with about four digits
 constexpr std::size_t max_edges = 100'000;
 
 std::size_t count_t_junctions(const CleanMesh& mesh, const std::vector<std::array<Index, 2>>& edges, std::vector<Index> points,
@@ -69,7 +69,7 @@ Seams find_seams(const CleanMesh& mesh) {
   for (const auto& [a, b] : edges)
     mean_length += glm::distance(mesh.points[static_cast<std::size_t>(a)], mesh.points[static_cast<std::size_t>(b)]) /
                    static_cast<double>(edges.size());
-  seams.gap = gap_ratio * mean_length;
+  seams.gap = round_below(gap_ratio * mean_length);
   for (const Index i : ends) positions.push_back(mesh.points[static_cast<std::size_t>(i)]);
   const std::vector<Index> welded_to = weld(positions, seams.gap);
   for (std::size_t i = 0; i < welded_to.size(); ++i) seams.points += welded_to[i] != static_cast<Index>(i) ? 1 : 0;

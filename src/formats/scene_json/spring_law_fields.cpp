@@ -13,7 +13,7 @@ SpringForce read_force(const JsonField& field) {
   for (std::size_t i = 0; i < spring_forces.size(); ++i)
     if (field.text() == spring_forces[i].id) return static_cast<SpringForce>(i);
   field.refuse("must be " + joined(
-                                spring_forces, [](const SpringForceRow& row) { return to_json(row.id); }, " or "));
+                                spring_forces, [](const ParameterChoice& row) { return to_json(row.id); }, " or "));
 }
 
 void read_muscle(const JsonField& field, SpringLaw& law) {

@@ -1,7 +1,6 @@
 // What runs beside the run on screen is asked to be, and what is published about it.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,13 +10,9 @@
 
 namespace hooke {
 
-// Advances the positions and velocities of a State by `seconds` [s].
-using ExactMotion = std::function<void(State& state, double seconds)>;
-
 struct Companion {
   std::string name;     // in the legend
   Settings settings{};  // the frame rate is that of the run
-  ExactMotion exact{};  // instead of the method of the settings; empty: none
 };
 
 // RMS distance from the run over the points [m].

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "sim/control/frame_error.h"
 #include "sim/step/divergence.h"
@@ -26,20 +27,14 @@ void Companions::set(std::vector<Companion> companions) {
 
 void Companions::restart() {
   if (companions_.empty()) return;
-  std::vector<Companion> companions = std::move(companions_);
-  std::erase_if(companions, [](const Companion& companion) { return static_cast<bool>(companion.exact); });
-  set(std::move(companions));
+  set(std::exchange(companions_, {}));
 }
 
 void Companions::start(const Plan& plan, const State& state) {
   for (std::size_t i = 0; i < runs_.size(); ++i) {
-    runs_[i] = {.shadow = {}, .exact = {}, .is_on = true};
-    if (companions_[i].exact) {
-      runs_[i].exact = state;
-    } else {
-      runs_[i].shadow.set_plan(plan);
-      runs_[i].shadow.start(state);
-    }
+    runs_[i] = {.shadow = {}, .is_on = true};
+    runs_[i].shadow.set_plan(plan);
+    runs_[i].shadow.start(state);
   }
   table_ = {};
   table_.distances.resize(runs_.size());
@@ -64,19 +59,13 @@ void Companions::substep(const System& system) {
   const auto next = std::ranges::find(runs_, false, &Run::is_done);
   if (next == runs_.end()) return finish_frame(system);
   const auto i = static_cast<std::size_t>(next - runs_.begin());
-  if (companions_[i].exact) {
-    companions_[i].exact(next->exact, end_time_ - time_);
-    next->exact.time = end_time_;
-    next->is_done = true;
-  } else {
-    if (!next->shadow.is_in_frame()) {
-      Settings settings = companions_[i].settings;
-      settings.frame_rate = frame_rate_;
-      next->shadow.begin_frame(system, settings, time_, hand_);
-    }
-    next->shadow.substep();
-    next->is_done = !next->shadow.is_in_frame();
+  if (!next->shadow.is_in_frame()) {
+    Settings settings = companions_[i].settings;
+    settings.frame_rate = frame_rate_;
+    next->shadow.begin_frame(system, settings, time_, hand_);
   }
+  next->shadow.substep();
+  next->is_done = !next->shadow.is_in_frame();
   if (std::ranges::all_of(runs_, &Run::is_done)) finish_frame(system);
 }
 
@@ -90,9 +79,8 @@ void Companions::finish_frame(const System& system) {
   table_.times.push_back(end_time_);
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     CompanionStatus& status = status_.list[i];
-    const bool is_exact = static_cast<bool>(companions_[i].exact);
-    const State& state = is_exact ? runs_[i].exact : runs_[i].shadow.state();
-    if (runs_[i].is_on && ((!is_exact && runs_[i].shadow.failed()) || !is_finite(state))) {
+    const State& state = runs_[i].shadow.state();
+    if (runs_[i].is_on && (runs_[i].shadow.failed() || !is_finite(state))) {
       runs_[i].is_on = false;
       status.has_diverged = true;
       status.positions.reset();

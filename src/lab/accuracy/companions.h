@@ -1,5 +1,5 @@
-// Runs beside the run on screen, drawn as ghosts: the same scene from the same state and with the same input, computed with other settings
-// or by a formula. Each is at the time of the run: the next frame of the run waits for them.
+// Runs beside the run on screen, drawn as ghosts: the same scene from the same state and with the same input, computed with other
+// settings. Each is at the time of the run: the next frame of the run waits for them.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ class Companions {
  public:
   // They start with the next frame.
   void set(std::vector<Companion> companions);
-  // They start again with the next frame, because the scene was edited. Those with a formula end: it was made for the scene before.
+  // They start again with the next frame, because the scene was edited.
   void restart();
 
   // A finished frame of the run; `plan` is that of `system`. Finishes the frame before, if it is not.
@@ -28,7 +28,6 @@ class Companions {
  private:
   struct Run {
     ShadowRun shadow;
-    State exact;
     bool is_on = false, is_done = false;  // is_done: with the frame
   };
   void start(const Plan& plan, const State& state);

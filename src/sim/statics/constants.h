@@ -6,9 +6,6 @@ namespace hooke {
 // [1], the residual relative to the tolerance below which the equilibrium is sought with the exact curvature: farther away the matrix is
 // hardly ever positive definite.
 inline constexpr double max_exact_residual = 1e5;
-// [1], of the largest eigenvalue, below which one counts as zero: the equilibrium, and with it the stiffness across a spring, is known to
-// about 1e-10.
-inline constexpr double zero_eigenvalue = 1e-9;
 // Lanczos' method: steps, and the error of an eigenvalue [1], which is the square of a frequency.
 inline constexpr int max_lanczos_steps = 40;
 inline constexpr double eigenvalue_tolerance = 0.02;

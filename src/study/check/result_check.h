@@ -23,7 +23,7 @@ struct CheckedQuantity {
   double scale = 0.0;
 };
 
-// "64 mm", "12 %".
+// "64 mm", "12 %", "-16 μJ (-0.001 %)".
 std::string value_text(const CheckedQuantity& quantity, double value);
 
 struct ResultCheck {

@@ -46,7 +46,10 @@ bool depends(const CheckedQuantity& quantity, const std::optional<double>& from,
 
 std::string value_text(const CheckedQuantity& quantity, double value) {
   if (quantity.unit == "m") return length_in_mm(value);
-  return quantity.unit == "1" ? number_text(100.0 * value, 3) + " %" : quantity_text(value, quantity.unit, 3);
+  if (quantity.unit == "1") return number_text(100.0 * value, 3) + " %";
+  // an energy counts by its part of what was supplied
+  const bool has_part = quantity.unit == "J" && quantity.scale > 0.0;
+  return quantity_text(value, quantity.unit, 3) + (has_part ? " (" + number_text(100.0 * value / quantity.scale, 2) + " %)" : "");
 }
 
 std::string ResultCheck::sentence() const {
@@ -80,7 +83,7 @@ std::string format_table(const ResultCheck& check) {
       cell.resize(std::max(cell.size(), width), ' ');
       return cell;
     };
-    std::string line = padded(name, 18) + padded(now, 14) + padded(half, 16) + finer;
+    std::string line = padded(name, 18) + padded(now, 24) + padded(half, 24) + finer;
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   };

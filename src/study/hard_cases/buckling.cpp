@@ -5,8 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "sim/methods/rows.h"
-#include "study/analytic_scenes.h"
-#include "study/benchmark.h"
 #include "study/hard_cases/monitored_run.h"
 #include "study/hard_cases/rows.h"
 
@@ -59,49 +57,6 @@ Verdict judge_snap_through(const Integrator& method) {
   return verdict;
 }
 
-Vec3 center_of_mass(const State& state) {
-  Vec3 sum{0.0};
-  for (const Vec3& x : state.position) sum += x;
-  return sum / static_cast<double>(state.position.size());
-}
-
-struct CurtainReference {
-  State end;
-  double amplification;  // [1], growth of a perturbation of its start
-};
-
-// The default method at an eighth of its limit, and the same with a perturbed initial state.
-CurtainReference compute_curtain_reference(const TestNetwork& network) {
-  const auto hang = [](const TestNetwork& from) {
-    MonitoredRun run(from, settings_for(default_integrator(), from.system, {.fraction = 0.125}));
-    run.run(1.0);
-    return run.state();
-  };
-  constexpr double perturbation = 1e-10;
-  TestNetwork perturbed = network;
-  Random random(17);
-  for (Index i = 0; i < network.system.point_count(); ++i)
-    if (!network.system.points()[i].nailed) perturbed.state.position[i] += random.vector(perturbation);
-  const State end = hang(network);
-  return {end, rms_distance(network.system, end, hang(perturbed)) / perturbation};
-}
-
-Verdict judge_chaotic_curtain(const Integrator& method) {
-  const InitialState curtain = make_curtain(16, 1e4, 0.0);
-  const TestNetwork network{curtain.system, curtain.state};
-  static const CurtainReference reference = compute_curtain_reference(network);
-
-  MonitoredRun run(network, settings_for(method, network.system, {.free = 4}), {.energy = 0.01, .position = 1e-3});
-  run.run(1.0);
-  const double center = glm::distance(center_of_mass(run.state()), center_of_mass(reference.end));
-  const double balance = run.monitor().energy_change(), rise = run.monitor().energy_rise();
-  // dissipative methods lose energy at these steps, and the balance must report it
-  const Expectation expected = is_stable_at_any_step(method) ? Expectation::HoldOrReport : expectation_of(run);
-  return judge(run, expected, center < 1e-3 && std::abs(balance) < 0.01 && rise < 0.01,
-               formatted("center of mass error %.1g m, energy balance %+.1g, a perturbation grows by a factor of %.0e", center, balance,
-                         reference.amplification));
-}
-
 Verdict judge_tangled_start(const Integrator& method) {
   constexpr int n = 6;
   TestNetwork sheet = make_sheet({.rows = n,
@@ -136,16 +91,6 @@ constinit const HardCase snap_through_case{
         "snaps through and comes to rest within 1e-4 m of the exact position at both steps; every solve converges; the energy never rises "
         "(1e-9 for dissipative methods, else 1e-3)",
     .judge = judge_snap_through,
-};
-
-constinit const HardCase chaotic_curtain_case{
-    .number = 17,
-    .name = "Chaotic curtain",
-    .parameters = "curtain of 16 x 16, k = 1e4 N/m, 1 s; 4 substeps for methods stable at any step",
-    .criterion = "energy balance within 1 %, center of mass within 1e-3 m",
-    .remark = "not checked: the window does not show the growth of perturbations",
-    .slow_under = method_list<dop853, esdirk4, tr_bdf2, implicit_euler, implicit_midpoint>,
-    .judge = judge_chaotic_curtain,
 };
 
 constinit const HardCase tangled_start_case{

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include "formats/scene_file.h"
 #include "study/hard_cases/monitored_run.h"
 
 namespace hooke {
@@ -169,62 +168,12 @@ ContactScene make_rope_heap() {
   return scene;
 }
 
-ContactScene make_shaken_balls() {
-  ContactScene scene{.seconds = 2.0, .min_substeps = 10};
-  System& system = scene.network.system;
-  constexpr double half_width = 0.5 * shaken_box_size;
-  Random random(200);
-  for (int i = 0; i < 200; ++i) {
-    const Vec3 place(0.05 * (i % 5) - 0.1, 0.025 + 0.05 * (i / 25), 0.05 * (i / 5 % 5) - 0.1);
-    const PointId id = scene.network.add(place + random.vector(0.003), 0.1);
-    system.point(system.index_of(id)).radius = random.uniform(0.015, 0.02);
-  }
-  system.colliders = make_bin(half_width, 0.3, 0.3);
-  system.colliders.push_back({.shape = Plane{{0.0, 2.0 * shaken_box_size, 0.0}, {0.0, -1.0, 0.0}}, .restitution = 0.3, .friction = 0.3});
-  for (Collider& side : system.colliders) side.path = {.amplitude = {0.02, 0.04, 0.0}, .frequency = 3.0};
-  system.contact = {.points = true, .restitution = 0.3, .friction = 0.3};
-  return scene;
-}
-
-ContactScene make_jelly_tower() {
-  // the dashpots damp the slowest vibration along the tower, of about 11 Hz, within a few seconds; softer cubes would buckle under their
-  // own weight (A. G. Greenhill, 1881: beyond a height of 2.8 m with these)
-  constexpr double side = 0.2, thickness = 0.006, gap = 0.003, point_radius = 0.02;  // [m]
-  std::string generators;
-  for (int i = 0; i < 10; ++i) {
-    const double height = point_radius + gap + 0.5 * side + i * (side + thickness + gap);
-    generators += std::string(i > 0 ? "," : "") + R"({"type": "jelly", "at": [0, )" + std::to_string(height) + R"(, 0], "turn": )" +
-                  std::to_string(5 * (i % 3)) +
-                  R"(, "columns": 3, "rows": 3, "layers": 3, "spacing": 0.1, "density": 50, "young": 400000, "damping": 0.002})";
-  }
-  const std::string json = R"({"hooke": 1, "generators": [)" + generators + "]}";
-  const Scene parsed = parse_scene(json, "tower").scene;
-  ContactScene scene{.network = {parsed.system, parsed.state}, .seconds = 60.0, .step_fraction = 1.0 / 3.0};
-  scene.network.system.colliders = {floor_at(0.0)};
-  scene.network.system.contact = {.faces = true, .thickness = thickness, .friction = 0.5};
-  return scene;
-}
-
-ContactScene make_draped_cloth() {
-  ContactScene scene{.seconds = 1.0, .implicit_substeps = 4, .step_fraction = 0.5};
-  System& system = scene.network.system;
-  add_cloth(
-      scene.network, {.rows = 64, .columns = 64, .stiffness = 100.0},
-      [](double u, double v) { return Vec3(u - 0.5, 2.0 * draped_ball_radius + 0.05, v - 0.5); }, no_velocity);
-  system.colliders = {{.shape = Sphere{draped_ball_center, draped_ball_radius}, .restitution = 0.0, .friction = 0.3}, floor_at(0.0)};
-  system.contact = {.faces = true, .thickness = 0.004};
-  return scene;
-}
-
 Settings settings_for(const Integrator& method, const ContactScene& scene) {
   const System& system = scene.network.system;
-  int implicit = scene.implicit_substeps;
-  if (is_stable_at_any_step(method) && (implicit == 0 || method.implicit_solve == ImplicitSolve::None)) {
-    const double step = StepLimits(bound_spectrum(system)).stable_step(method);
-    implicit = std::isfinite(step) ? static_cast<int>(std::ceil(1.0 / (60.0 * scene.step_fraction * step) * (1.0 + 1e-9))) : 1;
-  }
-  return settings_for(method, system,
-                      {.min = scene.min_substeps, .free = std::max(scene.min_substeps, implicit), .fraction = scene.step_fraction});
+  // implicit methods have as many as contact allows
+  const double step = is_stable_at_any_step(method) ? StepLimits(bound_spectrum(system)).stable_step(method) : HUGE_VAL;
+  const int implicit = std::isfinite(step) ? static_cast<int>(std::ceil(1.0 / (60.0 * step) * (1.0 + 1e-9))) : 1;
+  return settings_for(method, system, {.min = scene.min_substeps, .free = std::max(scene.min_substeps, implicit)});
 }
 
 }  // namespace hooke

@@ -14,8 +14,6 @@ struct ContactScene {
   TestNetwork network;
   double seconds = 1.0;  // [s], of the case
   int min_substeps = 1;
-  int implicit_substeps = 0;   // of implicit methods; 0: as many as contact allows (largest_stable_step)
-  double step_fraction = 1.0;  // of the largest stable step
   // Nails that are removed at this time [s].
   std::vector<PointId> released;
   double release_time = std::numeric_limits<double>::infinity();
@@ -31,17 +29,6 @@ ContactScene make_twisted_tube();
 ContactScene make_pulled_sleeve();
 // 20 ropes fall crosswise into a bin.
 ContactScene make_rope_heap();
-// 200 balls in a box that is shaken.
-ContactScene make_shaken_balls();
-inline constexpr double shaken_box_size = 0.3;  // [m]
-// Ten jelly cubes, each turned a little against the one below, dropped on each other by some millimeters.
-ContactScene make_jelly_tower();
-inline constexpr double jelly_tower_height = 2.074;  // [m], where all touch, undeformed: of the highest point above the floor
-// A cloth of 64 x 64 points falls over a ball on a floor.
-ContactScene make_draped_cloth();
-inline constexpr double draped_ball_radius = 0.25;                         // [m]
-inline constexpr Vec3 draped_ball_center{0.02, draped_ball_radius, 0.01};  // [m]
-
 // Substeps within the limits of the method on the scene, that of contact included.
 Settings settings_for(const Integrator& method, const ContactScene& scene);
 

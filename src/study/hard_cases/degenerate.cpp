@@ -1,9 +1,7 @@
-// Degenerate scenes: zero lengths, undefined directions, many springs on one point.
+// Degenerate scenes: zero lengths, undefined directions.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "study/hard_cases/monitored_run.h"
 #include "study/hard_cases/rows.h"
@@ -68,45 +66,6 @@ Verdict judge_coincident_points(const Integrator& method) {
   return worst_of(parts);
 }
 
-// Two springs between the same points act as one of twice the stiffness.
-Verdict judge_duplicates(const Integrator& method) {
-  const auto swing = [&](int springs, double k) {
-    TestNetwork network;
-    const PointId nail = network.nail(Vec3(0.0)), point = network.add({1.0, 0.0, 0.0});
-    for (int i = 0; i < springs; ++i) network.join(nail, point, k, 1.0);
-    MonitoredRun run(network, {.integrator = &method, .substeps = 40});
-    run.run(1.0);
-    return run;
-  };
-  const MonitoredRun two = swing(2, 50.0), one = swing(1, 100.0);
-  const double apart = glm::distance(two.state().position[1], one.state().position[1]);
-  // a method that processes the springs one by one treats them as two
-  const double allowed = method.stability == Stability::EachSpring ? 0.1 : 1e-6;
-  return judge(two, apart <= allowed, formatted("two springs differ by %.1g m from one of twice the stiffness", apart));
-}
-
-// A thousand springs from nails on a circle to one point at its center.
-Verdict judge_hub(const Integrator& method) {
-  constexpr int spokes = 1000;
-  TestNetwork network;
-  const PointId hub = network.add({0.3, 0.1, 0.0}, 1.0);
-  for (int i = 0; i < spokes; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / spokes;
-    network.join(network.nail({std::cos(angle), std::sin(angle), 0.0}), hub, 10.0, 0.5);
-  }
-  // more than half of the critical damping of the hub, 2 sqrt(k spokes 0.75 / m)
-  network.system.drag = 100.0;
-  MonitoredRun run(network, settings_for(method, network.system, {.min = 8, .free = 8, .fraction = 0.5}), {.position = 1e-5});
-  run.run(0.5);
-
-  // at rest: k spokes (1 - l0 / (2 l)) x = m g for a small displacement x from the center, l = 1
-  const double exact = -9.81 / (10.0 * spokes * 0.75);
-  const double off = glm::distance(run.state().position[0], {0.0, exact, 0.0});
-  return judge(run, off < 1e-5, formatted("hub of %d springs at rest with an error of %.1g m", spokes, off));
-}
-
-Verdict judge_springs_on_one_point(const Integrator& method) { return worst_of(std::array{judge_duplicates(method), judge_hub(method)}); }
-
 }  // namespace
 
 constinit const HardCase zero_length_spring_case{
@@ -123,15 +82,6 @@ constinit const HardCase coincident_points_case{
     .parameters = "five points at one position, four springs of 0.1 m",
     .criterion = "positions stay finite and momentum is conserved; points 1e-12 m apart separate",
     .judge = judge_coincident_points,
-};
-
-constinit const HardCase springs_on_one_point_case{
-    .number = 25,
-    .name = "Springs on one point",
-    .parameters = "two springs between the same points, 1000 on one point",
-    .criterion = "equal to one spring of twice the stiffness to 1e-6 m; at rest at the exact position to 1e-5 m",
-    .remark = "xpbd, which processes two springs one after the other, may differ by 0.1 m from one of twice the stiffness",
-    .judge = judge_springs_on_one_point,
 };
 
 }  // namespace hooke

@@ -5,7 +5,6 @@
 
 #include "sim/contact/closest.h"
 #include "sim/contact/surface/surface_tree.h"
-#include "sim/forces/energy/energy.h"
 #include "sim/methods/rows.h"
 #include "study/hard_cases/contact_scenes.h"
 #include "study/hard_cases/monitored_run.h"
@@ -27,11 +26,11 @@ Expectation expectation_in_contact(const MonitoredRun& run) {
   return may_report ? Expectation::HoldOrReport : expectation_of(run);
 }
 
-// Runs a scene for some seconds; calls look() after each frame.
+// Calls look() after each frame.
 template <class Look>
-void run_scene(MonitoredRun& run, const ContactScene& scene, double seconds, const Look& look) {
+void run_scene(MonitoredRun& run, const ContactScene& scene, const Look& look) {
   bool is_released = false;
-  while (run.state().time < seconds - 1e-9) {
+  while (run.state().time < scene.seconds - 1e-9) {
     if (!is_released && run.state().time >= scene.release_time) {
       SetNailed release;
       for (const PointId id : scene.released) release.items.push_back({id, false});
@@ -81,20 +80,16 @@ double min_spring_distance(const System& system, const State& state, double reac
   return min;
 }
 
-Verdict judge_faces(const Integrator& method, const ContactScene& scene, double seconds) {
-  MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
-  CrossingCount count(scene.network.system);
-  std::size_t worst = 0;
-  run_scene(run, scene, seconds, [&] { worst = std::max(worst, count(run.state())); });
-  const double rise = run.monitor().energy_rise();
-  return judge(run, expectation_in_contact(run), worst == 0 && rise < max_rise,
-               formatted("%zu crossings, energy rises %.1g, %d substeps", worst, rise, run.settings().substeps));
-}
-
 template <ContactScene (*make)()>
 Verdict judge_cloth(const Integrator& method) {
   const ContactScene scene = make();
-  return judge_faces(method, scene, scene.seconds);
+  MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
+  CrossingCount count(scene.network.system);
+  std::size_t worst = 0;
+  run_scene(run, scene, [&] { worst = std::max(worst, count(run.state())); });
+  const double rise = run.monitor().energy_rise();
+  return judge(run, expectation_in_contact(run), worst == 0 && rise < max_rise,
+               formatted("%zu crossings, energy rises %.1g, %d substeps", worst, rise, run.settings().substeps));
 }
 
 Verdict judge_rope_heap(const Integrator& method) {
@@ -102,78 +97,10 @@ Verdict judge_rope_heap(const Integrator& method) {
   const double thickness = scene.network.system.contact.thickness;
   MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
   double closest = thickness;
-  run_scene(run, scene, scene.seconds, [&] { closest = std::min(closest, min_spring_distance(run.system(), run.state(), thickness)); });
+  run_scene(run, scene, [&] { closest = std::min(closest, min_spring_distance(run.system(), run.state(), thickness)); });
   const double rise = run.monitor().energy_rise();
   return judge(run, expectation_in_contact(run), closest > 0.25 * thickness && rise < max_rise,
                formatted("ropes %.2g mm apart, energy rises %.1g, %d substeps", 1e3 * closest, rise, run.settings().substeps));
-}
-
-// How far points overlap [m].
-double max_overlap(const System& system, const State& state) {
-  double max = 0.0;
-  for (Index i = 0; i < system.point_count(); ++i)
-    for (Index j = i + 1; j < system.point_count(); ++j)
-      max = std::max(max, system.points()[i].radius + system.points()[j].radius - glm::distance(state.position[i], state.position[j]));
-  return max;
-}
-
-// How far points are beyond the walls [m].
-double max_beyond(const System& system, const State& state) {
-  double max = 0.0;
-  for (const Collider& collider : system.colliders) {
-    const Collider now = collider_at_time(collider, state.time);
-    const Plane& plane = std::get<Plane>(now.shape);
-    for (Index i = 0; i < system.point_count(); ++i)
-      max = std::max(max, system.points()[i].radius - glm::dot(plane.normal, state.position[i] - plane.point));
-  }
-  return max;
-}
-
-Verdict judge_shaken_balls(const Integrator& method) {
-  const ContactScene scene = make_shaken_balls();
-  MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
-  double overlap = 0.0, beyond = 0.0;
-  run_scene(run, scene, scene.seconds, [&] {
-    overlap = std::max(overlap, max_overlap(run.system(), run.state()));
-    beyond = std::max(beyond, max_beyond(run.system(), run.state()));
-  });
-  const double rise = run.monitor().energy_rise();
-  return judge(run, expectation_in_contact(run), overlap < 1e-3 && beyond < 1e-6 && rise < max_rise,
-               formatted("overlap %.2g mm, %.1g m beyond the walls, energy rises %.1g", 1e3 * overlap, beyond, rise));
-}
-
-Verdict judge_jelly_tower(const Integrator& method) {
-  const ContactScene scene = make_jelly_tower();
-  MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
-  CrossingCount count(scene.network.system);
-  std::size_t worst = 0;
-  const double seconds = &method == &default_integrator() ? scene.seconds : 5.0;
-  run_scene(run, scene, seconds, [&] { worst = std::max(worst, count(run.state())); });
-  double top = 0.0;
-  for (const Vec3& x : run.state().position) top = std::max(top, x.y);
-  const double height = top / jelly_tower_height - 1.0, rise = run.monitor().energy_rise();
-  const double kinetic = kinetic_energy(run.system(), run.state()) / run.state().supply.scale;
-  return judge(run, expectation_in_contact(run), worst == 0 && std::abs(height) < 0.01 && kinetic < 1e-6 && rise < max_rise,
-               formatted("%.3g s: height %+.2g %%, kinetic energy %.1g of that supplied, %zu crossings, energy rises %.1g, %d substeps",
-                         run.state().time, 100.0 * height, kinetic, worst, rise, run.settings().substeps));
-}
-
-Verdict judge_draped_cloth(const Integrator& method) {
-  const ContactScene scene = make_draped_cloth();
-  MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
-  CrossingCount count(scene.network.system);
-  std::size_t worst = 0;
-  double deepest = 0.0;
-  const double seconds = &method == &default_integrator() ? scene.seconds : 0.5;
-  run_scene(run, scene, seconds, [&] {
-    worst = std::max(worst, count(run.state()));
-    for (const Vec3& x : run.state().position)
-      deepest = std::max({deepest, draped_ball_radius - glm::distance(x, draped_ball_center), -x.y});
-  });
-  const double rise = run.monitor().energy_rise();
-  return judge(run, expectation_in_contact(run), worst == 0 && deepest < 1e-3 && rise < max_rise,
-               formatted("%.3g s: %zu crossings, penetration %.1g m, energy rises %.1g, %d substeps", run.state().time, worst, deepest,
-                         rise, run.settings().substeps));
 }
 
 }  // namespace
@@ -232,42 +159,6 @@ constinit const HardCase rope_heap_case{
         "all of its impulses together; that no rope passes through another is counted in every substep by a test (scripts/contact)",
     .slow_under = slow_methods,
     .judge = judge_rope_heap,
-};
-
-constinit const HardCase shaken_balls_case{
-    .number = 33,
-    .name = "Shaken balls",
-    .parameters = "200 balls of 15 to 20 mm in a box of 0.3 m, which is shaken by 4 cm, 3 times per second, e = 0.3, mu = 0.3, 2 s",
-    .criterion = "overlaps below 1 mm, no ball beyond a wall; the energy rises by less than 1e-2 of that supplied",
-    .slow = true,
-    .judge = judge_shaken_balls,
-};
-
-constinit const HardCase jelly_tower_case{
-    .number = 34,
-    .name = "Tower of jelly cubes",
-    .parameters = "ten cubes of 27 points, 0.2 m, E = 4e5 Pa, 50 kg/m^3, dropped on each other by 3 mm; a minute with velocity_verlet",
-    .criterion =
-        "height within 1 % of that of the undeformed cubes, kinetic energy below 1e-6 of the energy supplied, no edge through a face; the "
-        "energy rises by less than 1e-2",
-    .remark = "steps of a third of the largest stable one; the other methods run for 5 s, to bound the time of the check",
-    .slow = true,
-    .judge = judge_jelly_tower,
-};
-
-constinit const HardCase draped_cloth_case{
-    .number = 35,
-    .name = "Draped cloth",
-    .parameters =
-        "64 x 64 points, 1 m, 0.2 kg, k = 100 N/m, falls over a ball of 0.25 m on a floor, thickness 4 mm; 1 s with velocity_verlet",
-    .criterion =
-        "no edge through a face at the end of any frame, points less than 1e-3 m inside the ball or floor; the energy rises by less than "
-        "1e-2",
-    .remark =
-        "steps of half the largest stable one; the other methods run for 0.5 s, implicit ones with 4 substeps per frame, which are too few "
-        "for contact, to bound the time of the check",
-    .slow = true,
-    .judge = judge_draped_cloth,
 };
 
 }  // namespace hooke

@@ -29,8 +29,7 @@ struct KernelCase {
   double settle = 0.0;  // [s], simulated before it is measured
   int max_size = 1024;  // the largest n for which it is measured
   int threads = 1;
-  bool is_single = false;   // in single precision
-  bool is_at_rest = false;  // most steps leave every bit as it was, and are not computed
+  bool is_single = false;  // in single precision
 };
 std::span<const KernelCase> kernel_cases();
 

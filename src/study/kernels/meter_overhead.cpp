@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
-#include <vector>
 
 #include "base/threads/thread_time.h"
 #include "lab/lab.h"
@@ -16,8 +14,8 @@ namespace {
 
 constexpr std::array<std::string_view, 5> meter_scenes{"two_masses", "rope_64", "cloth", "cloth_on_ball", "drum_32"};
 
-// In each part of a run one frame is repeated (accuracy_meter.cpp).
-constexpr int frames_of_part = 40, parts_of_run = 2;
+// One of 40 is repeated (accuracy_meter.cpp).
+constexpr int frames_of_run = 80;
 // Implicit methods are measured with few substeps, the others at least with those of the scene.
 constexpr int min_implicit_substeps = 2, max_measured_substeps = 400;
 
@@ -29,22 +27,16 @@ int substeps_to_measure(const Scene& scene, const Integrator& method) {
   return std::min(std::max(2 * std::min(stable, max_measured_substeps), min), max_measured_substeps);
 }
 
-// CPU time of each part [s]; infinite from a divergence on.
-std::vector<double> run_parts(const Scene& scene, AccuracyMode mode) {
+// CPU time of a run [s]; infinite if it diverges.
+double time_of_run(const Scene& scene, AccuracyMode mode) {
   Lab lab(scene, KeepStart::No);
   lab.submit(SetAccuracy{mode});
   lab.apply_pending();
-  std::vector<double> times(parts_of_run, HUGE_VAL);
-  for (double& time : times) {
-    const double start = thread_cpu_seconds();
-    for (int frame = 0; frame < frames_of_part; ++frame)
-      if (!lab.step()) return times;
-    time = thread_cpu_seconds() - start;
-  }
-  return times;
+  const double start = thread_cpu_seconds();
+  for (int frame = 0; frame < frames_of_run; ++frame)
+    if (!lab.step()) return HUGE_VAL;
+  return thread_cpu_seconds() - start;
 }
-
-double sum_of_parts(const std::vector<double>& times) { return std::accumulate(times.begin(), times.end(), 0.0); }
 
 }  // namespace
 
@@ -55,22 +47,19 @@ MeterOverhead measure_meter_overhead(Scene scene, const Integrator& method, int 
   scene.settings.tolerance.reset();
   MeterOverhead result{.substeps = substeps_to_measure(scene, method)};
   scene.settings.substeps = result.substeps;
-  std::vector<double> plain(parts_of_run, HUGE_VAL), measured(parts_of_run, HUGE_VAL);
-  double spent = 0.0;
+  double plain = HUGE_VAL, measured = HUGE_VAL, spent = 0.0;
   for (int round = 0; round < min_rounds || spent < seconds; ++round) {
-    for (const AccuracyMode mode : {AccuracyMode::Off, AccuracyMode::Frame}) {
-      const std::vector<double> times = run_parts(scene, mode);
-      std::vector<double>& min = mode == AccuracyMode::Off ? plain : measured;
-      for (std::size_t i = 0; i < times.size(); ++i) min[i] = std::min(min[i], times[i]);
-      spent += sum_of_parts(times);
-    }
+    const double without = time_of_run(scene, AccuracyMode::Off), with = time_of_run(scene, AccuracyMode::Frame);
+    plain = std::min(plain, without);
+    measured = std::min(measured, with);
+    spent += without + with;
     if (!std::isfinite(spent)) {
       result.has_diverged = true;
       return result;
     }
   }
-  result.frame_seconds = sum_of_parts(plain) / (parts_of_run * frames_of_part);
-  result.overhead = sum_of_parts(measured) / sum_of_parts(plain) - 1.0;
+  result.frame_seconds = plain / frames_of_run;
+  result.overhead = measured / plain - 1.0;
   return result;
 }
 

@@ -18,9 +18,9 @@ struct MeterOverhead {
   bool has_diverged = false;
 };
 
-// From pairs of runs of 80 frames, the same with and without measuring: the minimum time of each part of a run over at least `min_rounds`
-// pairs, and more for about `seconds` [s]. The method takes twice the fewest stable substeps,
-// at least 2 if it is implicit, and otherwise at least those of the scene.
+// From pairs of runs of 80 frames, the same with and without measuring: the minimum times over at least `min_rounds` pairs, and more for
+// about `seconds` [s]. The method takes twice the fewest stable substeps, at least 2 if it is implicit, and otherwise at least those of the
+// scene.
 MeterOverhead measure_meter_overhead(Scene scene, const Integrator& method, int min_rounds, double seconds);
 
 }  // namespace hooke

@@ -51,8 +51,8 @@ void build_arrange(const PanelInput& input, Panels& panels, Requests& requests) 
     if (const auto by = amount(std::string("Move ") + axes[axis], "m", "Moves all by this much.", 0.0, typed::max_length, panels))
       affine.shift[axis] = *by;
   for (int axis = dimensions == 2 ? 2 : 0; axis < 3; ++axis)
-    if (const auto by = amount(std::string("Turn about ") + axes[axis], "deg", "About the center of the points, counter-clockwise.", 0.0,
-                               360.0, panels)) {
+    if (const auto by = amount(dimensions == 2 ? "Turn" : std::string("Turn about ") + axes[axis], "deg",
+                               "About the center of the points, counter-clockwise.", 0.0, 360.0, panels)) {
       Vec3 unit(0.0);
       unit[axis] = 1.0;
       affine.turn = rotation(unit, *by * std::numbers::pi / 180.0);

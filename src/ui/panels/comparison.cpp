@@ -195,6 +195,17 @@ void use(const Row& row, const Settings& settings, Requests& requests) {
   requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(substeps)}, true});
 }
 
+// Of the settings that keep most of the motion; null: none.
+const Row* fastest(const ProblemRecord& record, const Settings& settings) {
+  constexpr double max_relative_error = 0.1;
+  const Row* least = nullptr;
+  for (const Row& row : record.rows)
+    if (is_drawn(row) && row.relative_error.value_or(1.0) < max_relative_error && can_be_used(row, settings) &&
+        (least == nullptr || *row.cpu_ms_per_s < *least->cpu_ms_per_s))
+      least = &row;
+  return least;
+}
+
 void legend(const ProblemRecord& record) {
   ImGui::PushFont(fonts().small);
   std::size_t number_of_method = 0;
@@ -246,7 +257,9 @@ void chart(const PanelInput& input, const MethodComparison& comparison, float wi
   if (is_clicked && can_be_used(*row, settings)) use(*row, settings, requests);
 }
 
-void buttons(const ResultStatus<MethodComparison>& status, Panels& panels, Requests& requests) {
+void buttons(const PanelInput& input, Panels& panels, Requests& requests) {
+  const ResultStatus<MethodComparison>& status = input.results.comparison;
+  const Settings& settings = input.status.snapshot->settings;
   if (status.is_running) {
     if (ImGui::Button("Cancel", {units(84.0), units(30.0)})) requests.emplace_back(StopComparison{});
   } else if (ImGui::Button("Compare again", {units(118.0), units(30.0)})) {
@@ -265,6 +278,11 @@ void buttons(const ResultStatus<MethodComparison>& status, Panels& panels, Reque
         panels.show_toast("Copied " + count(static_cast<int>(status.result->record.rows.size()), "row"));
       }
       ImGui::EndPopup();
+    }
+    if (const Row* row = fastest(status.result->record, settings); row != nullptr && !status.is_running) {
+      ImGui::SameLine();
+      if (ImGui::Button("Use the fastest", {units(124.0), units(30.0)})) use(*row, settings, requests);
+      tooltip("With an error below 10 %: " + setting_text(*row, settings.frame_rate));
     }
   }
   ImGui::SameLine(ImGui::GetWindowWidth() - units(64.0) - ImGui::GetStyle().WindowPadding.x);
@@ -304,7 +322,7 @@ void build_comparison(const PanelInput& input, Panels& panels, Requests& request
     if (!status.is_running && status.result->note != "Stopped.") missing_methods(status.result->record);
   }
   panel.end_content();
-  buttons(status, panels, requests);
+  buttons(input, panels, requests);
 }
 
 }  // namespace hooke

@@ -14,22 +14,24 @@
 namespace hooke {
 namespace {
 
-// Replaces the extension of another format.
-void follow_kind(ExportState& export_state) {
+// Replaces the extension of another format. The path of the scene itself, such as an imported mesh, is not proposed.
+void follow_kind(ExportState& export_state, const std::filesystem::path& scene) {
   const std::string_view extension = export_kinds()[export_state.kind].extension;
   for (const FileKind& row : export_kinds())
     if (export_state.path.ends_with(row.extension)) export_state.path.resize(export_state.path.size() - row.extension.size());
+  if (export_state.path + std::string(extension) == scene) export_state.path += " 2";
   export_state.path += extension;
 }
 
-void kinds(ExportState& export_state, bool is_flat) {
+void kinds(ExportState& export_state, const PanelInput& input) {
+  const bool is_flat = input.status.snapshot->system->dimensions == 2;
   ImGui::PushStyleColor(ImGuiCol_FrameBg, palette::pressed);
   for (std::size_t i = 0; i < export_kinds().size(); ++i) {
     const FileKind& kind = export_kinds()[i];
     ImGui::BeginDisabled(kind.is_flat_only && !is_flat);
     if (ImGui::RadioButton((std::string(kind.label) + " (" + std::string(kind.extension) + ")").c_str(), export_state.kind == i)) {
       export_state.kind = i;
-      follow_kind(export_state);
+      follow_kind(export_state, input.file);
     }
     ImGui::EndDisabled();
   }
@@ -107,7 +109,7 @@ void buttons(const PanelInput& input, ExportState& export_state, Requests& reque
 void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   ExportState& export_state = panels.export_state;
   if (!export_state.is_shown) return;
-  if (export_state.is_new) follow_kind(export_state);
+  if (export_state.is_new) follow_kind(export_state, input.file);
   const Rect &scene = input.layout.scene, &page = input.layout.page;
   const float wide = box_width(480.0);
   ImGui::SetNextWindowPos({middle_for(scene, wide), static_cast<float>(page.y + 0.5 * page.height)}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -120,7 +122,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PopFont();
   begin_tab_stops();
   ImGui::BeginDisabled(input.export_work.is_running);
-  kinds(export_state, input.status.snapshot->system->dimensions == 2);
+  kinds(export_state, input);
   ImGui::Dummy({0.0f, units(2.0)});
   paragraph(export_kinds()[export_state.kind].description, palette::dim);
   over_time(export_state, panels);

@@ -10,6 +10,8 @@
 namespace hooke {
 namespace {
 
+constexpr std::string_view along_z = "z";  // name of the number of a force that a flat scene does not have
+
 // The switch, the name and the remove button. Returns false if the force was removed.
 bool heading(Force& force) {
   const float end = ImGui::GetContentRegionMax().x, side = ImGui::GetFrameHeight();
@@ -54,6 +56,7 @@ void build_forces(const PanelInput& input, Panels& panels, Requests& requests) {
   const std::vector<Force>& now = input.status.snapshot->system->forces;
   if (!section(forces_section, now.empty() ? "" : std::to_string(now.size()), !now.empty())) return;
 
+  const bool is_flat = input.status.snapshot->system->dimensions == 2;
   std::vector<Force> wanted;
   for (std::size_t f = 0; f < now.size(); ++f) {
     Force force = now[f];
@@ -61,6 +64,7 @@ void build_forces(const PanelInput& input, Panels& panels, Requests& requests) {
     const bool stays = heading(force);
     for (std::size_t i = 0; i < force.term->numbers.size() && force.on; ++i) {
       const ForceParameter& row = force.term->numbers[i];
+      if (is_flat && row.name == along_z) continue;
       ImGui::PushID(row.name.data());
       const Force* opened = opened_force(input, force, f);
       if (row.choices.empty())
@@ -78,7 +82,11 @@ void build_forces(const PanelInput& input, Panels& panels, Requests& requests) {
   if (ImGui::BeginCombo("##add", "Add a force...", ImGuiComboFlags_HeightLarge)) {
     close_on_escape(input, panels);
     for (const ForceTerm& term : force_terms()) {
-      if (ImGui::Selectable(term.label.data())) wanted.push_back({&term, true, default_values(term)});
+      if (ImGui::Selectable(term.label.data())) {
+        wanted.push_back({&term, true, default_values(term)});
+        for (std::size_t i = 0; i < term.numbers.size(); ++i)
+          if (is_flat && term.numbers[i].name == along_z) wanted.back().values[i] = 0.0;
+      }
       tooltip(std::string(term.description));
     }
     ImGui::EndCombo();

@@ -154,12 +154,12 @@ void build_ghosts(const PanelInput& input, Panels& panels, Requests& requests) {
   dim_text("RMS distance from the run");
   bool has_changed = false;
   std::size_t n = 0;
-  const bool has_exact = ghosts.with_exact;
-  swatch(has_exact ? ghost_color(n) : 0);
-  const std::string name = has_exact && ghost(n) != nullptr ? ghost(n)->name : "Exact solution or reference";
-  has_changed = ImGui::Checkbox((name + "###exact").c_str(), &ghosts.with_exact);
-  tooltip("The exact solution where it is known, otherwise a very accurate run");
-  if (has_exact) distance_text(ghost(n++));
+  const bool has_reference = ghosts.with_reference;
+  swatch(has_reference ? ghost_color(n) : 0);
+  const std::string name = has_reference && ghost(n) != nullptr ? ghost(n)->name : "Reference";
+  has_changed = ImGui::Checkbox((name + "###reference").c_str(), &ghosts.with_reference);
+  tooltip("A very accurate run");
+  if (has_reference) distance_text(ghost(n++));
   std::optional<std::size_t> removed;
   for (std::size_t i = 0; i < ghosts.settings.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
@@ -196,7 +196,7 @@ void build_ghosts(const PanelInput& input, Panels& panels, Requests& requests) {
   tooltip("Start all ghosts from the present state");
   ImGui::SameLine(ImGui::GetWindowWidth() - units(64.0) - ImGui::GetStyle().WindowPadding.x);
   if (ImGui::Button("Close", {units(64.0), units(30.0)})) ghosts = {}, has_changed = true;
-  if (has_changed) requests.emplace_back(SetGhosts{ghosts.with_exact, ghosts.settings});
+  if (has_changed) requests.emplace_back(SetGhosts{ghosts.with_reference, ghosts.settings});
 }
 
 }  // namespace hooke

@@ -330,12 +330,13 @@ void build_plots(const PanelInput& input, Panels& panels, Requests& requests) {
   buttons(input, dock, panels, requests);
 
   const TraceTable& times = *input.status.timeline.traces;
-  TraceTable spectrum;
-  if (panels.plots.shows_spectrum && !times.times.empty()) {
-    const auto [first, last] = shown_times(times, panels);
-    spectrum = spectrum_of(times, first, last);
+  SpectrumOfPlots& spectrum = panels.plots.spectrum;
+  if (!panels.plots.shows_spectrum || times.times.empty()) {
+    spectrum = {};
+  } else if (const auto span = shown_times(times, panels); spectrum.traces != input.status.timeline.traces || spectrum.span != span) {
+    spectrum = {input.status.timeline.traces, span, spectrum_of(times, span.first, span.second)};
   }
-  const TraceTable& table = panels.plots.shows_spectrum ? spectrum : times;
+  const TraceTable& table = panels.plots.shows_spectrum ? spectrum.table : times;
   const std::vector<Plot> plots = plots_of(table);
   const double left = dock.x + units(78.0), width = dock.width - units(78.0);
   if (table.times.empty() || plots.empty()) {

@@ -85,9 +85,11 @@ void build_result_check(const PanelInput& input, Panels& panels, Requests& reque
       table(*status.result);
       ImGui::Spacing();
       ImGui::PushFont(fonts().small);
-      paragraph("Sag and period of springs and weight alone, as the method computes them; maximum strain and change of the energy within " +
-                    quantity_text(status.result->seconds, "s", 3) + " from the present state.",
-                palette::dim);
+      paragraph(
+          "Sag and period of springs and weight alone, as the method computes them; maximum strain and change of the energy, with its part "
+          "of what was supplied, within " +
+              quantity_text(status.result->seconds, "s", 3) + " from the present state.",
+          palette::dim);
       ImGui::PopFont();
     }
   }

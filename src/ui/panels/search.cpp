@@ -98,9 +98,13 @@ void build_search(const PanelInput& input, Panels& panels, Requests& requests) {
   search.highlighted = std::clamp(search.highlighted, 0, std::max(0, static_cast<int>(found.size()) - 1));
   const bool accepted = input.presses(PanelKey::Target::Search, Key::Enter) > 0;
   SearchResult* chosen = accepted && !found.empty() ? &found[static_cast<std::size_t>(search.highlighted)] : nullptr;
-  if (found.empty()) dim_text("No matching command");
-
-  if (SearchResult* clicked = result_rows(found, search, input.layout)) chosen = clicked;
+  if (found.empty()) {
+    dim_text("No matching command");
+    // Enter would take the keyboard from the field
+    if (accepted) search.is_new = search.continues_text = true;
+  } else if (SearchResult* clicked = result_rows(found, search, input.layout)) {
+    chosen = clicked;
+  }
 
   // a click elsewhere closes it
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows)) search.shown = false;

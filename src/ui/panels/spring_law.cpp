@@ -53,7 +53,7 @@ void build_spring_law(const PanelInput& input, const std::vector<Index>& springs
   };
 
   const Common<SpringForce> force = common(springs, [&](Index s) { return law_of(s).force; });
-  const SpringForceRow& now = spring_forces[static_cast<std::size_t>(force.value)];
+  const ParameterChoice& now = spring_forces[static_cast<std::size_t>(force.value)];
   begin_row("Law");
   ImGui::SetNextItemWidth(-1.0f);
   if (ImGui::BeginCombo("##law", force.mixed ? "varies" : now.label.data())) {

@@ -1,5 +1,4 @@
-#include "formats/video_encoder.h"
-
+// Films encoded by ffmpeg, if it is installed: raw pictures are passed through a pipe, without a shell.
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
@@ -8,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -18,6 +18,7 @@
 #include "base/bounds.h"
 #include "base/errors.h"
 #include "base/printable.h"
+#include "draw/film/film_encoder.h"
 
 extern char** environ;
 
@@ -40,7 +41,30 @@ std::filesystem::path sibling_file(const std::filesystem::path& file, const char
   return file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()) + ending);
 }
 
-}  // namespace
+class VideoEncoder : public FilmEncoder {
+ public:
+  VideoEncoder(std::filesystem::path file, int width, int height, double video_frame_rate);
+  ~VideoEncoder() override;
+  VideoEncoder(const VideoEncoder&) = delete;
+  VideoEncoder& operator=(const VideoEncoder&) = delete;
+
+  void add(const Picture& picture, long frames) override {
+    for (long i = 0; i < frames; ++i) add(picture);
+  }
+  void close() override;
+  void abort() override;
+
+ private:
+  void add(const Picture& picture);
+  int finish();
+  [[noreturn]] void fail(const std::string& why) const;
+
+  std::filesystem::path file_, unfinished_, stderr_file_;
+  int width_, height_;
+  std::atomic<int> ffmpeg_socket_ = -1;
+  std::atomic<bool> aborted_ = false;
+  pid_t ffmpeg_ = 0;
+};
 
 VideoEncoder::VideoEncoder(std::filesystem::path file, int width, int height, double video_frame_rate)
     : file_(std::move(file)),
@@ -136,6 +160,12 @@ void VideoEncoder::fail(const std::string& why) const {
   std::error_code ignored;
   std::filesystem::remove(stderr_file_, ignored);
   throw FileError(printable(file_.native()) + ": " + why + (first_line.empty() ? "" : ": " + printable(first_line, 200)));
+}
+
+}  // namespace
+
+std::unique_ptr<FilmEncoder> start_mp4(const std::filesystem::path& file, int width, int height, double frame_rate) {
+  return std::make_unique<VideoEncoder>(file, width, height, frame_rate);
 }
 
 }  // namespace hooke
