@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <stdexcept>
 
 #include "device/constants.h"
@@ -12,7 +13,7 @@ namespace hooke {
 
 void GpuScene::put(Binding binding, std::span<const std::byte> bytes) {
   std::vector<std::byte>& contents = contents_[binding];
-  if (!bytes.empty() && std::ranges::equal(contents, bytes)) return;
+  if (!bytes.empty() && contents.size() == bytes.size() && std::memcmp(contents.data(), bytes.data(), bytes.size()) == 0) return;
   contents.assign(bytes.begin(), bytes.end());
   if (buffers_[binding] == 0) gl_->GenBuffers(1, &buffers_[binding]);
   gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffers_[binding]);

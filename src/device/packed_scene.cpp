@@ -70,11 +70,14 @@ Index stored_rows(const Grid& grid) {
 }
 
 std::vector<double> state_numbers(const Plan& plan, const Motion& motion) {
-  std::vector<double> numbers;
-  numbers.reserve(12 * static_cast<std::size_t>(plan.points));
-  for (Index i = 0; i < plan.points; ++i) append(numbers, vector_at(plan, motion.x, i), plan.inverse_mass[i]);
-  for (Index i = 0; i < plan.points; ++i) append(numbers, vector_at(plan, motion.v, i));
-  numbers.resize(12 * static_cast<std::size_t>(plan.points));
+  const auto n = static_cast<std::size_t>(plan.points);
+  std::vector<double> numbers(12 * n);
+  for (std::size_t i = 0; i < n; ++i) numbers[4 * i + 3] = plan.inverse_mass[i];
+  for (std::size_t c = 0; c < static_cast<std::size_t>(plan.dimensions); ++c)
+    for (std::size_t i = 0; i < n; ++i) {
+      numbers[4 * i + c] = motion.x[c * n + i];
+      numbers[4 * (n + i) + c] = motion.v[c * n + i];
+    }
   return numbers;
 }
 

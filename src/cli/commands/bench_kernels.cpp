@@ -14,6 +14,7 @@
 #include "study/kernels/kernel_cases.h"
 
 namespace hooke {
+
 int bench_kernels(const std::filesystem::path& folder, Device device, bool quick, bool quiet) {
   const std::shared_ptr<GpuDevice> gpu = device == Device::Gpu ? open_gpu() : nullptr;
   if (gpu != nullptr && !quiet) print_device({.device = gpu});
@@ -29,14 +30,14 @@ int bench_kernels(const std::filesystem::path& folder, Device device, bool quick
     std::cout << "\n";
   }
   for (const KernelCase& row : kernel_cases()) {
+    const Scene scene = make_kernel_scene(row, sizes.front(), 1);
+    const bool is_for_gpu = row.threads == 1 && needs_processor(make_plan(scene.system), *scene.settings.integrator).empty();
+    if (gpu != nullptr && !is_for_gpu) continue;
     if (!quiet) std::cout << "| " << row.name << " |" << std::flush;
     for (const int n : sizes) {
       if (was_interrupted()) return exit_interrupted();
       // in a quick run, not those that take long to settle
-      const Scene scene = make_kernel_scene(row, sizes.front(), 1);
-      const bool needs_cpu =
-          gpu != nullptr && (row.threads > 1 || !needs_processor(make_plan(scene.system), *scene.settings.integrator).empty());
-      if (n > (quick && row.settle > 0.0 ? sizes.front() : row.max_size) || needs_cpu) {
+      if (n > (quick && row.settle > 0.0 ? sizes.front() : row.max_size)) {
         if (!quiet) std::cout << " |";
         continue;
       }

@@ -17,7 +17,7 @@ int bench_capacity(const std::filesystem::path& folder, std::span<const Integrat
                    bool quiet);
 // How long edits of running cloths take to be seen.
 int bench_edits(const std::filesystem::path& folder, bool quick, bool quiet);
-// The time of a step of several kinds of cloth, perhaps on the graphics device.
+// The time of a step of several kinds of cloth.
 int bench_kernels(const std::filesystem::path& folder, Device device, bool quick, bool quiet);
 // What measuring the accuracy costs with these methods on these scenes, or the default ones if there are none.
 int bench_overhead(const std::filesystem::path& folder, const std::vector<std::string>& scenes,
