@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 
 namespace hooke {
 
@@ -29,6 +30,7 @@ std::string typed_text(double value) {
 
 std::string with_rare_characters(std::string typed, std::string_view before) {
   constexpr std::string_view unknown = "\ufffd";
+  typed.resize(std::strlen(typed.c_str()));  // it may end in a NUL, where characters became shorter
   for (std::size_t at = typed.find(unknown), from = 0; at != typed.npos; at = typed.find(unknown, at + 4), from += 4) {
     while (from < before.size() && (before[from] & 0xf8) != 0xf0) ++from;
     if (from >= before.size()) break;

@@ -31,7 +31,7 @@ void Exporter::show() {
   state.is_shown = true;
   if (is_running()) return;
   state.is_new = true;
-  state.path = document_.has_own_file() ? without_extension(document_.file()) : typed_path(document_.stem()).string();
+  state.path = without_extension(document_.has_own_file() ? document_.file() : typed_path(document_.stem()));
 }
 
 void Exporter::start() {
