@@ -41,6 +41,8 @@ class Scene:
     positions: Array
     velocities: Array
     nailed: NDArray[np.bool_]
+    loads: Array
+    fixed: list[str]
     masses: Array
     radii: Array
     stiffness: Array

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def _restore(scene: Scene, accuracy: str) -> Lab:
-    return Lab(_hooke.Lab(scene._bound, accuracy, 1, "double"))
+    return Lab(_hooke.Lab(scene._bound, accuracy, 1, "double", "cpu"))
 
 
 class Lab(Parameterized):

@@ -98,7 +98,7 @@ class _Column:
     def __init__(self, name: str, what: str, convert: Callable[[Scene, Any], Any] | None = None) -> None:
         self._name = name
         self._convert = convert or (lambda scene, value: array(name, value))
-        one = "" if name in ("positions", "velocities") else ", or one value for all,"
+        one = "" if name in ("positions", "velocities", "loads") else ", or one value for all,"
         self.__doc__ = f"{what}: a copy, read-only. Assign an array{one} to change them."
 
     def __get__(self, scene: Scene | None, owner: type[Scene]) -> NDArray[Any]:
@@ -234,6 +234,7 @@ class Scene(Parameterized, Shapes):
 
     positions = _Column("positions", "Positions [m], (points, 3)")
     velocities = _Column("velocities", "Velocities [m/s], (points, 3)")
+    loads = _Column("loads", "Constant forces on the points [N], (points, 3)")
     masses = _Column("masses", "Masses [kg], (points,)")
     radii = _Column("radii", "Radii [m], (points,)")
     nailed = _Column("nailed", "Whether each point is nailed, (points,)", lambda scene, value: _nails(value, scene.point_count))
@@ -242,13 +243,22 @@ class Scene(Parameterized, Shapes):
     rest_length = _Column("rest_length", "Rest length of each spring [m], (springs,)")
 
     @property
+    def fixed(self) -> list[str]:
+        """The axes along which each point does not move, as "y" or "xz"; "": none. Assign a list to change them."""
+        return self._bound.fixed
+
+    @fixed.setter
+    def fixed(self, fixed: Sequence[str]) -> None:
+        self._bound.fixed = list(fixed)
+
+    @property
     def laws(self) -> list[dict[str, Any] | None]:
         """The law of each spring as in scene files, such as {"law": "cable"} or {"muscle": {"amplitude": 0.2}}; None: a plain spring."""
         return [None if law is None else json.loads(law) for law in self._bound.laws]
 
     @laws.setter
     def laws(self, laws: Sequence[Mapping[str, Any] | None]) -> None:
-        self._bound.laws = [None if law is None else json.dumps(dict(law)) for law in laws]
+        self._bound.laws = [None if law is None else json.dumps(json_value(f"laws[{i}]", dict(law))) for i, law in enumerate(laws)]
 
     @property
     def springs(self) -> NDArray[np.int64]:

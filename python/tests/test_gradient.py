@@ -79,6 +79,9 @@ def test_what_has_no_gradient_is_refused_by_name():
     far_floor.add_collider("plane", point=(0, -9, 0), normal=(0, 1, 0))
     run = far_floor.run(0.5, sample=0.1, accuracy="off")
     assert run.gradient(np.ones_like(run.positions), "stiffness")[0] != 0
+    rail = pendulum()
+    rail.fixed = ["", "x"]
+    refused(rail, "^points: fixed: gradients are of")
     breaks, limited, law, wind = pendulum(), pendulum(), pendulum(), pendulum()
     breaks["break_strain"] = 0.05
     refused(breaks, "^break_strain: a spring breaks before")

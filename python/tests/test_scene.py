@@ -50,6 +50,22 @@ def test_parts_are_added_after_the_present_ones():
     assert hooke.Scene.from_json(scene.to_json()).hash == scene.hash
 
 
+def test_loads_and_rollers_are_properties_of_points():
+    scene = hooke.Scene(gravity=(0, 0, 0))
+    scene.add_points([[0, 0, 0], [1, 0, 0]], nailed=[True, False])
+    scene.add_spring(0, 1, stiffness=50)
+    scene.loads = [[0, 0, 0], [2, -3, 0]]
+    scene.fixed = ["", "y"]
+    assert scene.loads.tolist() == [[0, 0, 0], [2, -3, 0]] and scene.fixed == ["", "y"]
+    run = scene.run(0.5, sample=0.1, substeps=400, accuracy="off")
+    assert np.allclose(run.positions[:, 1], [[1 + 2 / 50 * (1 - np.cos(np.sqrt(50) * t)), 0, 0] for t in run.time], atol=1e-5)
+    assert hooke.Scene.from_json(scene.to_json()).run(0.5, accuracy="off").hash == scene.run(0.5, accuracy="off").hash
+    with pytest.raises(hooke.InputError, match="^fixed\\[1\\]: up: must be axes"):
+        scene.fixed = ["", "up"]
+    with pytest.raises(hooke.InputError, match="^loads: "):
+        scene.loads = [[1, 2, 3]]
+
+
 def test_properties_are_arrays_that_can_be_assigned():
     scene = hanging_pair()
     assert scene.positions.shape == (2, 3) and scene.positions.dtype == np.float64 and scene.positions.flags.c_contiguous
@@ -104,3 +120,15 @@ def test_save_and_load_keep_every_bit(tmp_path):
 
 def test_shipped_scenes_are_listed():
     assert {"cloth", "two_masses"} <= {row["id"] for row in hooke.scenes()}
+
+
+def test_laws_are_those_of_scene_files_and_bad_ones_are_refused_by_field():
+    scene = hanging_pair()
+    for law in ({"law": "cable"}, {"law": "cubic", "k3": -1e9}, {"muscle": {"amplitude": 0.2, "frequency": 2, "phase": 0}}, None):
+        scene.laws = [law]
+        assert scene.laws == [law]
+    for bad, message in (({"law": "rope"}, 'laws\\[0\\].law: "rope": must be'), ({"law": "cubic", "k3": np.inf}, r"laws\[0\].k3: inf: must be a finite"),
+                         ({"law": "strut", "k3": 3}, r"laws\[0\].k3: must be 0 unless"),
+                         ({"rest_length_rate": 1, "rest_length_limits": [2, 3]}, r"laws\[0\].rest_length_limits: must contain")):
+        with pytest.raises(hooke.InputError, match=message):
+            scene.laws = [bad]

@@ -9,7 +9,9 @@ layout(location = 2) uniform int moment;    // of the forces, in steps since the
 layout(location = 3) uniform int acting;    // where the velocities at which dashpots and air act begin: points (v) or 2 points (predicted)
 layout(location = 4) uniform int substep;   // since the start of the frame
 layout(location = 5) uniform int reused;    // the substep after which accelerations are still those of the last pass unless it moved something; -1: never
-layout(location = 6) uniform ivec3 pulled;  // points that the hand pulls
+layout(location = 6) uniform int first;     // dashpots of a sweep, to the one before `end`
+layout(location = 7) uniform int end;
+layout(location = 8) uniform ivec3 pulled;  // points that the hand pulls
 
 struct Spring {
   real stiffness, rest_length, damping;  // k [N/m], l0 [m], d [N s/m]

@@ -94,17 +94,21 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
     loaded.warnings.push_back("substeps: " + std::to_string(scene.settings.substeps) + ": not used: auto chooses the substeps");
 }
 
+std::shared_ptr<GpuDevice> open_gpu() {
+  try {
+    return std::make_shared<GpuDevice>();
+  } catch (const std::runtime_error& error) {
+    throw OptionError("device", "gpu", error.what());
+  }
+}
+
 Execution make_execution(const Lab& lab, const ExecutionOptions& options) {
   Execution execution{.team = options.threads > 1 ? std::make_shared<ThreadTeam>(options.threads) : nullptr};
   const Settings& settings = lab.scene().settings;
   if (options.device == Device::Gpu) {
     if (const std::string needs = needs_processor(lab.plan(), *settings.integrator); !needs.empty())
       throw OptionError("device", "gpu", "not for " + needs);
-    try {
-      execution.device = std::make_shared<GpuDevice>();
-    } catch (const std::runtime_error& error) {
-      throw OptionError("device", "gpu", error.what());
-    }
+    execution.device = open_gpu();
   }
   if (options.precision == Precision::Double) return execution;
   const std::string needs = options.device == Device::Cpu ? needs_double_precision(lab.plan(), settings) : "";

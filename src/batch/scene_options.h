@@ -40,6 +40,7 @@ void set_options(Scene& scene, const SteppingOptions& options, const std::string
 void apply_options(LoadedScene& loaded, const SteppingOptions& options, const std::string& name);
 
 // How frames are computed.
+class GpuDevice;
 enum class Precision { Double, Single };
 enum class Device { Cpu, Gpu };
 struct ExecutionOptions {
@@ -47,6 +48,8 @@ struct ExecutionOptions {
   Precision precision = Precision::Double;
   Device device = Device::Cpu;
 };
+// Throws UsageError where this machine has none.
+std::shared_ptr<GpuDevice> open_gpu();
 // Throws UsageError where the scene needs double precision or the processor, and where this machine has no such device.
 Execution make_execution(const Lab& lab, const ExecutionOptions& options);
 

@@ -5,7 +5,9 @@
 #include <stdexcept>
 
 #include "base/option_error.h"
+#include "device/constants.h"
 #include "sim/forces/energy/plan_energy.h"
+#include "sim/methods/rows.h"
 
 namespace hooke {
 namespace {
@@ -15,12 +17,35 @@ namespace {
 std::optional<EnergyCause> cause_of(const Plan& plan) {
   if (plan.hand.held || plan.hand.pull) return EnergyCause::Hand;
   if (plan.collider_paths.any_moves) return EnergyCause::Colliders;
-  if (!plan.forces.empty()) return EnergyCause::Forces;
+  if (!plan.forces.empty() || plan.acceleration != plan.gravity) return EnergyCause::Forces;  // moving air
   if (plan.has_contact()) return EnergyCause::Contact;
+  if (plan.drag > 0.0) return EnergyCause::Drag;
+  if (plan.has_dashpots()) return EnergyCause::Dashpots;
   return std::nullopt;
 }
 
 }  // namespace
+
+std::string needs_processor(const Plan& plan, const Integrator& method) {
+  if (&method != &symplectic_euler && &method != &velocity_verlet && &method != &velocity_verlet_explicit)
+    return "the method " + std::string(method.id) + ": symplectic_euler, velocity_verlet and velocity_verlet_explicit run there";
+  if (plan.pairs.on) return "contact of points with each other";
+  if (plan.surface.on) return "contact of faces and springs";
+  if (!plan.one_way.empty()) return "planes that act one way";
+  if (plan.colliders.size() > max_device_colliders) return "more than " + std::to_string(max_device_colliders) + " colliders";
+  if (!plan.spring.max_length.empty()) return "the strain limit";
+  for (const Force& force : plan.forces)
+    if (force.term->id != "wind") return "the force " + std::string(force.term->id);
+  if (plan.forces.size() > 1) return "more than one wind";
+  for (const LawSpring& spring : plan.spring.laws.springs) {
+    if (spring.law.moves()) return "springs whose rest length moves";
+    if (spring.law.force == SpringForce::Strut) return "struts";
+    if (spring.law.force == SpringForce::Cubic) return "springs with a cubic force";
+  }
+  if (plan.points > max_device_points) return "more than " + std::to_string(max_device_points) + " points";
+  if (plan.points == 0) return "a scene without points";
+  return {};
+}
 
 bool GpuDevice::advance(const Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) {
   if (!failure_.empty() || steps.locates_breaks) return false;
@@ -36,7 +61,7 @@ bool GpuDevice::advance(const Plan& plan, const FrameSteps& steps, Motion& motio
   }
   if (cause && broken.empty()) {
     const double change = mechanical_energy(plan, motion.time, motion) - before;
-    motion.energy.add(*cause, *cause == EnergyCause::Contact ? std::min(0.0, change) : change);
+    motion.energy.add(*cause, *cause >= EnergyCause::Drag ? std::min(0.0, change) : change);
   }
   return true;
 }

@@ -29,7 +29,7 @@ class GpuDevice final : public FrameDevice {
   std::string failure_;
 };
 
-// What of a scene and its method only the processor computes, by name: "the force bending"; empty: nothing (refusal.cpp).
+// What of a scene and its method only the processor computes, by name: "the force bending"; empty: nothing.
 std::string needs_processor(const Plan& plan, const Integrator& method);
 
 // "GPU: ..." with the renderer, or why there is none: a line of --version.

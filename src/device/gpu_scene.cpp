@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <stdexcept>
 
 #include "device/constants.h"
@@ -12,7 +13,7 @@ namespace hooke {
 
 void GpuScene::put(Binding binding, std::span<const std::byte> bytes) {
   std::vector<std::byte>& contents = contents_[binding];
-  if (!bytes.empty() && std::ranges::equal(contents, bytes)) return;
+  if (!bytes.empty() && contents.size() == bytes.size() && std::memcmp(contents.data(), bytes.data(), bytes.size()) == 0) return;
   contents.assign(bytes.begin(), bytes.end());
   if (buffers_[binding] == 0) gl_->GenBuffers(1, &buffers_[binding]);
   gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffers_[binding]);
@@ -58,6 +59,8 @@ void GpuScene::upload(const Plan& plan, const FrameSteps& steps, const Motion& m
   put(FirstPanel, panels.first);
   put(PanelsOfPoints, panels.items);
   put(Radii, plan.radius);
+  sweeps_ = plan.has_dashpots() && steps.method.splits_dashpots ? sweep_levels(plan, 0.5 * steps.h) : SweepLevels();
+  put(Sweeps, sweeps_.numbers);
   put(SpringEnds, graph_.ends);
   put(Colliders, collider_numbers(plan, steps, motion.time));
   // what passes write
@@ -80,13 +83,11 @@ void GpuScene::upload_state(const Motion& motion) {
 
 std::string GpuScene::definitions() const {
   const Plan& plan = *plan_;
-  bool damped = plan.has_dashpots();
-  for (const LawSpring& spring : plan.spring.laws.springs) damped = damped || spring.damping > 0.0;
   std::string lines = is_single_ ? "#define real float\n#define real3 vec3\n#define real4 vec4\n#define PI 3.14159265358979323846\n"
                                  : "#define real double\n#define real3 dvec3\n#define real4 dvec4\n#define PI 3.14159265358979323846lf\n";
   const auto define = [&](const char* name, int value) { lines += std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
   define("SINGLE", is_single_);
-  define("DASHPOTS", damped);
+  define("DASHPOTS", plan.has_dashpots() && sweeps_.begin.empty());
   define("GRID", is_grid(plan));
   if (is_grid(plan)) {
     define("ROWS", plan.spring.grids[0].rows);
@@ -125,9 +126,9 @@ void GpuScene::run(std::string_view pass, Index threads, int from, int to, const
   gl_->UseProgram(program_of(pass));
   gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, FromState, states_[static_cast<std::size_t>(from)]);
   gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, ToState, states_[static_cast<std::size_t>(to)]);
+  const int acting = (call.acts_predicted ? 2 : 1) * plan_->points;
   // in the order of their locations
-  const std::array<int, 6> uniforms{plan_->points, call.pass,  call.moment, (call.acts_predicted ? 2 : 1) * plan_->points,
-                                    call.substep,  call.reused};
+  const std::array uniforms{plan_->points, int(call.pass), call.moment, acting, call.substep, call.reused, call.first, call.end};
   for (std::size_t location = 0; location < uniforms.size(); ++location) gl_->Uniform1i(static_cast<int>(location), uniforms[location]);
   if (const auto& pull = plan_->hand.pull) {
     const auto point = [&](int part) { return pull->parts[static_cast<std::size_t>(part < pull->count ? part : 0)].point; };
@@ -138,7 +139,7 @@ void GpuScene::run(std::string_view pass, Index threads, int from, int to, const
 }
 
 void GpuScene::move(const Call& call) {
-  const int next = (state_ + 1) % static_cast<int>(states_.size());
+  const int count = static_cast<int>(states_.size()), after = (state_ + 1) % count, next = after == start_ ? (after + 1) % count : after;
   run("move.comp", plan_->points, state_, next, call);
   state_ = next;
 }
@@ -158,15 +159,31 @@ void GpuScene::run_one_by_one(const FrameSteps& steps) {
   // forces at the end of a step are those of the next one, unless they depend on a velocity that was predicted
   const bool reuses = plan_->forces.empty() || &steps.method != &velocity_verlet;
   for (int k = 0; k < steps.count; ++k) {
-    const int start = state_;
+    start_ = state_;
+    if (!sweeps_.begin.empty()) {
+      state_ = (start_ + 1) % static_cast<int>(states_.size());
+      gl_->BindBuffer(GL_COPY_READ_BUFFER, states_[static_cast<std::size_t>(start_)]);
+      gl_->BindBuffer(GL_COPY_WRITE_BUFFER, states_[static_cast<std::size_t>(state_)]);
+      gl_->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(contents_[FromState].size()));
+      sweep(true);
+    }
     if (&steps.method == &symplectic_euler) {
       move({.pass = WholeKick, .moment = k});
     } else {
       move({.pass = FirstHalf, .moment = k, .substep = k, .reused = reuses ? k - 1 : -1});
       move({.pass = LastHalf, .moment = k + 1, .acts_predicted = true, .substep = k});
     }
-    if (!plan_->colliders.empty()) run("contact.comp", plan_->points, start, state_, {.substep = k});
-    if (!plan_->spring.break_length.empty()) run("breaks.comp", plan_->springs, state_, start, {.substep = k});
+    if (!sweeps_.begin.empty()) sweep(false);
+    if (!plan_->colliders.empty()) run("contact.comp", plan_->points, start_, state_, {.substep = k});
+    if (!plan_->spring.break_length.empty()) run("breaks.comp", plan_->springs, state_, start_, {.substep = k});
+  }
+}
+
+void GpuScene::sweep(bool is_forward) {
+  const auto levels = static_cast<Index>(sweeps_.begin.size()) - 1;
+  for (Index n = 0; n < levels; ++n) {
+    const Index level = is_forward ? n : levels - 1 - n, first = sweeps_.begin[level], end = sweeps_.begin[level + 1];
+    run("sweep.comp", end - first, state_, state_, {.first = first, .end = end});
   }
 }
 
@@ -186,16 +203,16 @@ void GpuScene::read_broken(Motion& motion, std::vector<Index>& broken) {
 void GpuScene::advance(const GlFunctions& gl, const Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) {
   gl_ = &gl;
   plan_ = &plan;
-  definitions_ = definitions();
-  state_ = 0;
+  state_ = start_ = 0;
   upload(plan, steps, motion);
+  definitions_ = definitions();
   upload_state(motion);
   for (GLuint binding = Accelerations; binding < bindings; ++binding)
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers_[binding]);
 
   const bool acts_between = plan.has_contact() || !plan.spring.break_length.empty();
   const bool changes_wind = !plan.forces.empty() && &steps.method == &velocity_verlet;
-  acts_between || changes_wind ? run_one_by_one(steps) : run_fused(steps);
+  acts_between || changes_wind || !sweeps_.begin.empty() ? run_one_by_one(steps) : run_fused(steps);
 
   const auto events = read<std::uint32_t>(buffers_[Events], static_cast<std::size_t>(steps.count));
   const auto numbers = read_numbers(states_[static_cast<std::size_t>(state_)], 8 * static_cast<std::size_t>(plan.points));

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "device/gl_functions.h"
+#include "device/compute_context.h"
 #include "device/packed_scene.h"
 
 namespace hooke {
@@ -34,6 +34,7 @@ class GpuScene {
     int moment = 0;
     bool acts_predicted = false;
     int substep = 0, reused = -1;
+    Index first = 0, end = 0;  // of dashpots
   };
 
   void upload(const Plan& plan, const FrameSteps& steps, const Motion& motion);
@@ -50,6 +51,7 @@ class GpuScene {
   void move(const Call& call);
   void run_fused(const FrameSteps& steps);
   void run_one_by_one(const FrameSteps& steps);
+  void sweep(bool is_forward);
   void read_broken(Motion& motion, std::vector<Index>& broken);
 
   const bool is_single_;
@@ -59,7 +61,8 @@ class GpuScene {
   std::map<std::string, GLuint> programs_;  // by definitions and pass
   std::array<GLuint, bindings> buffers_{};
   std::array<GLuint, 3> states_{};  // in turn: the start of a substep is kept until contact has corrected its end
-  int state_ = 0;                   // the present one
+  int state_ = 0, start_ = 0;       // the present one, and that at the start of the substep
+  SweepLevels sweeps_;              // of methods that sweep over dashpots
   // What the buffers contain, so that only what has changed is sent again.
   std::array<std::vector<std::byte>, bindings> contents_;
   std::vector<SpringRun> runs_;

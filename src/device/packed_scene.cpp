@@ -6,6 +6,7 @@
 
 #include "base/overloaded.h"
 #include "sim/contact/obstacle.h"
+#include "sim/forces/dashpots/dashpot.h"
 #include "sim/forces/kick.h"
 #include "sim/forces/terms/wind_kernel.h"
 
@@ -16,7 +17,7 @@ void append(std::vector<double>& numbers, const Vec3& vector, double w = 0.0) {
   numbers.insert(numbers.end(), {vector.x, vector.y, vector.z, w});
 }
 
-// Lists the items that `for_each(use)` names, by use(point, number), twice in the same order; `width` numbers make an item.
+// Lists the items that `for_each(use)` names, by use(point, number..), twice in the same order; `width` numbers make an item.
 template <class ForEach>
 PointLists list_by_points(Index points, std::size_t width, const ForEach& for_each) {
   PointLists lists;
@@ -69,11 +70,14 @@ Index stored_rows(const Grid& grid) {
 }
 
 std::vector<double> state_numbers(const Plan& plan, const Motion& motion) {
-  std::vector<double> numbers;
-  numbers.reserve(12 * static_cast<std::size_t>(plan.points));
-  for (Index i = 0; i < plan.points; ++i) append(numbers, vector_at(plan, motion.x, i), plan.inverse_mass[i]);
-  for (Index i = 0; i < plan.points; ++i) append(numbers, vector_at(plan, motion.v, i));
-  numbers.resize(12 * static_cast<std::size_t>(plan.points));
+  const auto n = static_cast<std::size_t>(plan.points);
+  std::vector<double> numbers(12 * n);
+  for (std::size_t i = 0; i < n; ++i) numbers[4 * i + 3] = plan.inverse_mass[i];
+  for (std::size_t c = 0; c < static_cast<std::size_t>(plan.dimensions); ++c)
+    for (std::size_t i = 0; i < n; ++i) {
+      numbers[4 * i + c] = motion.x[c * n + i];
+      numbers[4 * (n + i) + c] = motion.v[c * n + i];
+    }
   return numbers;
 }
 
@@ -178,6 +182,38 @@ std::vector<double> collider_numbers(const Plan& plan, const FrameSteps& steps, 
       for (const Vec3& vector : {obstacle.offset, obstacle.velocity, obstacle.acceleration, obstacle.velocity_correction})
         append(numbers, vector);
   return numbers;
+}
+
+SweepLevels sweep_levels(const Plan& plan, double duration) {
+  std::vector<double> loss;  // [kg], impulse per relative speed
+  plan_dashpot_decay(plan, duration, loss);
+  const auto law_of = [&](Index s) { return plan.spring.laws.empty() ? no_index : plan.spring.laws.of_packed[s]; };
+
+  // (first point, second point, spring) in the order of the processor: of a row every other spring first; those with a law last
+  std::vector<std::array<Index, 3>> order;
+  for (const SpringRun& run : plan.spring.runs) {
+    const Index step = run.second == run.first + 1 ? 2 : 1;
+    for (Index start = 0; start < step; ++start)
+      for (Index e = start; e < run.count; e += step)
+        if (loss[run.begin + e] > 0.0 && law_of(run.begin + e) == no_index) order.push_back({run.first + e, run.second + e, run.begin + e});
+  }
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    const double inverse_mass = plan.inverse_mass[i] + plan.inverse_mass[j];
+    if (law_of(s) == no_index || inverse_mass == 0.0) return;
+    loss[s] = -portable::expm1(-plan.spring.laws.springs[law_of(s)].damping * duration * inverse_mass) / inverse_mass;
+    order.push_back({i, j, s});
+  });
+
+  std::vector<Index> levels, next(plan.points, 0);
+  for (const auto& [i, j, s] : order) levels.push_back(next[i] = next[j] = std::max(next[i], next[j]) + 1);
+  const Index count = levels.empty() ? 0 : std::ranges::max(levels);
+  const PointLists lists = list_by_points(count, 3, [&](const auto& use) {
+    for (std::size_t n = 0; n < order.size(); ++n) use(levels[n] - 1, order[n][0], order[n][1], order[n][2]);
+  });
+  SweepLevels sweeps{.begin = lists.first};
+  for (std::size_t at = 0; at < lists.items.size(); at += 3)
+    append(sweeps.numbers, {lists.items[at], lists.items[at + 1], loss[lists.items[at + 2]]}, lists.items[at + 2]);
+  return sweeps;
 }
 
 }  // namespace hooke

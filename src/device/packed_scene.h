@@ -28,8 +28,9 @@ enum Binding {
   SpringEnds,
   BreakLimits,
   Colliders,
+  Sweeps
 };
-inline constexpr int bindings = Colliders + 1;
+inline constexpr int bindings = Sweeps + 1;
 
 // Which items belong to each point, in ascending order: items[first[i]] .. items[first[i + 1] - 1].
 struct PointLists {
@@ -57,6 +58,13 @@ std::vector<double> limit_numbers(const Plan& plan);
 std::vector<double> frame_numbers(const Plan& plan, const FrameSteps& steps);
 std::vector<double> moment_numbers(const Plan& plan, const FrameSteps& steps, double start);
 std::vector<double> collider_numbers(const Plan& plan, const FrameSteps& steps, double start);
+// The dashpots of `velocity_verlet`, which act one after another, over `duration` [s], level by level: those of a level share no point, and
+// each level follows those on which it depends. Level n: sweeps begin[n] .. begin[n + 1] - 1 of the numbers.
+struct SweepLevels {
+  std::vector<double> numbers;
+  std::vector<Index> begin;
+};
+SweepLevels sweep_levels(const Plan& plan, double duration);
 // In the order of `passes` in the frame.
 enum PassKind { WholeKick, FirstHalf, LastHalf };
 

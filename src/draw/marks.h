@@ -20,7 +20,7 @@ struct GhostNetwork {
 
 // Vectors at points, drawn as arrows.
 struct Arrows {
-  enum class Kind { Velocity, Force };
+  enum class Kind { Velocity, Force, Load };
   Kind kind;
   double scale = 0.0;                        // [s] or [m/N], lengths by which the vectors are multiplied
   std::vector<std::pair<Vec3, Vec3>> lines;  // [m], from tail to tip

@@ -88,18 +88,22 @@ std::vector<Command> weld(const Snapshot& snapshot, const SheetWeights* sheet, c
   }
   double mass = 0.0;
   Vec3 center(0.0), momentum(0.0);
-  bool is_nailed = false;
+  Point welded;
   for (const PointId id : points) {
     const Index i = system.index_of(id);
     const Point& point = system.points()[i];
     mass += point.mass;
     center += point.mass * snapshot.state.position[i];
     if (!point.nailed) momentum += point.mass * snapshot.state.velocity[i];
-    is_nailed = is_nailed || point.nailed;
+    welded.nailed = welded.nailed || point.nailed;
+    welded.fixed_axes |= point.fixed_axes;
+    welded.load += point.load;
   }
   std::vector<Command> commands;
-  if (is_nailed) commands.emplace_back(SetNailed{{{kept, true}}});
-  commands.emplace_back(Move{{{kept, center / mass, is_nailed ? Vec3(0.0) : momentum / mass}}});
+  if (welded.nailed) commands.emplace_back(SetNailed{{{kept, true}}});
+  if (welded.fixed_axes != 0) commands.emplace_back(SetFixedAxes{{{kept, welded.fixed_axes}}});
+  if (welded.load != Vec3(0.0)) commands.emplace_back(SetLoad{{{kept, welded.load}}});
+  commands.emplace_back(Move{{{kept, center / mass, welded.nailed ? Vec3(0.0) : momentum / mass}}});
   commands.emplace_back(SetPointProperty{PointProperty::Mass, {{kept, mass}}});
   // springs between the welded points go with the removed ones
   commands.emplace_back(std::move(insert));
@@ -112,6 +116,7 @@ std::vector<Command> split(const Snapshot& now, const SheetWeights* sheet, const
   std::vector<Spring> springs(system.springs().begin(), system.springs().end());
   std::vector<bool> is_changed(springs.size());
   SetPointProperty masses{PointProperty::Mass, {}};
+  SetLoad loads;
   Insert insert;
   for (const PointId point : points) {
     const Index i = system.index_of(point);
@@ -122,7 +127,9 @@ std::vector<Command> split(const Snapshot& now, const SheetWeights* sheet, const
     if (i == no_index || meeting.size() < 2 || std::any_of(system.faces.begin(), system.faces.end(), is_corner)) continue;
     Point end = system.points()[i];
     end.mass /= static_cast<double>(meeting.size());
+    end.load /= static_cast<double>(meeting.size());
     masses.values.emplace_back(point, end.mass);
+    loads.values.emplace_back(point, end.load);
     for (const std::size_t s : std::span(meeting).subspan(1)) {
       end.id = ids.point();
       insert.points.push_back({.point = end, .position = now.state.position[i], .velocity = now.state.velocity[i]});
@@ -139,7 +146,7 @@ std::vector<Command> split(const Snapshot& now, const SheetWeights* sheet, const
     springs[s].id = ids.spring();
     insert.springs.push_back({.spring = springs[s], .sheet_weight = sheet_weight});
   }
-  return {std::move(masses), std::move(remove), std::move(insert)};
+  return {std::move(masses), std::move(loads), std::move(remove), std::move(insert)};
 }
 
 }  // namespace hooke

@@ -17,9 +17,9 @@
 namespace hooke {
 
 using CommandVariant =
-    std::variant<Insert, Remove, SetNailed, Move, SetVelocity, SetPointColor, SetPointProperty, SetSpringProperty, SetSpringLaw,
-                 SetParameter, RestoreParameter, SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity, SetColliders,
-                 SetForces, SetText, SetPlots, SetTexture, GoToState, SetTorn, MarkTorn, Replace>;
+    std::variant<Insert, Remove, SetNailed, Move, SetVelocity, SetPointColor, SetLoad, SetFixedAxes, SetPointProperty, SetSpringProperty,
+                 SetSpringLaw, SetParameter, RestoreParameter, SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity,
+                 SetColliders, SetForces, SetText, SetPlots, SetTexture, GoToState, SetTorn, MarkTorn, Replace>;
 
 // A class, not an alias, so that the commands can name it in the type of their inverse. Copies are compiled once, in command.cpp.
 struct Command : CommandVariant {

@@ -18,7 +18,8 @@ template <class T> inline constexpr auto field_names = [] {
   else return nullptr;
 }();
 
-template <> inline constexpr std::array<std::string_view, 5> field_names<Point> = {"id", "nailed", "color", "mass", "radius"};
+template <> inline constexpr std::array<std::string_view, 7> field_names<Point> =
+    {"id", "nailed", "fixed_axes", "color", "mass", "radius", "load"};
 template <> inline constexpr std::array<std::string_view, 9> field_names<Spring> =
     {"id", "first", "second", "family", "stiffness", "damping", "rest_length", "break_strain", "law"};
 template <> inline constexpr std::array<std::string_view, 8> field_names<SpringLaw> =

@@ -218,7 +218,8 @@ struct Text<T> {
         std::is_same_v<Member, std::optional<double>> || std::is_same_v<Member, std::optional<SpringLaw>> ||
         std::is_same_v<Member, std::optional<MethodChoice>> ||
         (std::is_same_v<T, PairContact> && (name == "frequency" || name == "damping_ratio")) ||
-        (std::is_same_v<T, Collider> && name == "one_way") || std::is_same_v<T, MethodChoice>)
+        (std::is_same_v<T, Collider> && name == "one_way") || (std::is_same_v<T, Point> && (name == "fixed_axes" || name == "load")) ||
+        std::is_same_v<T, MethodChoice>)
       return;  // added since the first version
     field.refuse_missing(name, "must be given");
   }

@@ -27,9 +27,15 @@ Loads compute_loads(const Lab& lab) {
   Field f = motion.x;
   compute_external_forces(plan, state.time, motion.x, motion.v, f);
   loads.external = unpacked(f);
-  compute_forces(plan, state.time, motion.x, motion.v, f);
+  // of nails, and of rollers along their fixed axes: the opposite of all forces but those of the rollers
+  compute_unlisted_forces(plan, state.time, motion.x, plan.has_dashpots() ? &motion.v : nullptr, f);
+  for (const Force& force : plan.forces)
+    if (force.term != &roller_force) force.term->add(plan, force.values, state.time, motion.x.data(), motion.v.data(), f.data());
   loads.reaction = unpacked(f);
-  for (Index i = 0; i < system.point_count(); ++i) loads.reaction[i] = plan.inverse_mass[i] == 0.0 ? -loads.reaction[i] : Vec3(0.0);
+  for (Index i = 0; i < system.point_count(); ++i) {
+    Vec3& reaction = loads.reaction[i];
+    reaction = plan.inverse_mass[i] == 0.0 ? -reaction : free_part(plan, i, reaction) - reaction;
+  }
 
   const Field& impulse = lab.last_frame().motion().contact;
   loads.contact.resize(state.position.size());

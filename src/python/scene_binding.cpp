@@ -134,6 +134,37 @@ void set_nailed(NamedScene& scene, const std::vector<bool>& nailed) {
   change(scene, set);
 }
 
+py::array point_loads(const NamedScene& scene) {
+  std::vector<Vec3> loads;
+  for (const Point& point : points_of(scene)) loads.push_back(point.load);
+  return read_only(to_array(loads));
+}
+
+void set_loads(NamedScene& scene, const Doubles& array) {
+  const std::vector<Vec3> loads = flat_vectors(scene.scene().system, "loads", array, points_of(scene).size());
+  SetLoad set;
+  for (std::size_t i = 0; i < loads.size(); ++i) set.values.emplace_back(points_of(scene)[i].id, loads[i]);
+  change(scene, set);
+}
+
+std::vector<std::string> fixed_axes_of(const NamedScene& scene) {
+  std::vector<std::string> texts;
+  for (const Point& point : points_of(scene)) texts.push_back(axes_text(point.fixed_axes));
+  return texts;
+}
+
+void set_fixed_axes(NamedScene& scene, const std::vector<std::string>& texts) {
+  if (texts.size() != points_of(scene).size())
+    throw InputError("fixed: " + std::to_string(texts.size()) + " values: must be " + std::to_string(points_of(scene).size()));
+  SetFixedAxes set;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const auto axes = axes_of(texts[i]);
+    if (!axes) throw InputError(at("fixed", i) + ": " + printable(texts[i], 80) + ": must be axes in their order, as \"y\" or \"xz\"");
+    set.values.emplace_back(points_of(scene)[i].id, *axes);
+  }
+  change(scene, set);
+}
+
 // SetPointProperty or SetSpringProperty of all.
 template <class Set, class Items>
 void set_all(NamedScene& scene, Set set, const Items& items, const std::string& name, const Bounds& bounds, const Doubles& array) {
@@ -341,6 +372,8 @@ void bind_scene(py::module_& module) {
           "nailed",
           [](const NamedScene& scene) { return column<Point, bool>(points_of(scene), [](const Point& point) { return point.nailed; }); },
           &set_nailed)
+      .def_property("loads", &point_loads, &set_loads)
+      .def_property("fixed", &fixed_axes_of, &set_fixed_axes)
       .def_property("masses", point_column(&Point::mass), point_setter(P::Mass, "masses", positive))
       .def_property("radii", point_column(&Point::radius), point_setter(P::Radius, "radii", not_negative))
       .def_property("stiffness", spring_column(&Spring::stiffness), spring_setter(S::Stiffness, "stiffness"))

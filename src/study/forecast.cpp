@@ -41,7 +41,7 @@ Statics make_statics(const System& system) {
     if (laws.of_packed[s] != no_index) statics.damping[s] = std::exchange(laws.springs[laws.of_packed[s]].damping, 0.0);
   plan.drag = 0.0;
   plan.hand.pull.reset();
-  plan.forces.clear();
+  std::erase_if(plan.forces, [](const Force& force) { return force.term != &load_force && force.term != &roller_force; });
   if (plan.hand.held) {
     const Point& point = system.points()[*plan.hand.held];
     plan.inverse_mass[*plan.hand.held] = point.nailed ? 0.0 : 1.0 / point.mass;
@@ -75,12 +75,13 @@ Index count_free(const Plan& plan) {
   return static_cast<Index>(std::ranges::count_if(plan.inverse_mass, [](double w) { return w != 0.0; }));
 }
 
-// RMS of the weights [N]; without weight, of the spring forces at twice the rest length.
+// RMS of the weights and loads [N]; without weight, of the spring forces at twice the rest length.
 double compute_force_scale(const Plan& plan) {
   const double pull = glm::length(plan.acceleration);
   double sum = 0.0;
   for (Index i = 0; i < plan.points; ++i)
     if (plan.inverse_mass[i] != 0.0) sum += plan.mass[i] * plan.mass[i] * pull * pull;
+  for (const auto& [i, load] : plan.force_data.load) sum += plan.inverse_mass[i] != 0.0 ? glm::dot(load, load) : 0.0;
   if (sum > 0.0) return std::sqrt(sum / count_free(plan));
   for (Index s = 0; s < plan.springs; ++s) sum += std::pow(stiffness_of(plan, s) * plan.spring.rest_length[s], 2);
   return std::sqrt(sum / plan.springs);
@@ -142,7 +143,7 @@ Field initial_guess(const Plan& plan, const System& system, const State& state, 
                         std::ranges::equal(before.system->points(), system.points(), {}, &Point::id, &Point::id);
   for (Index i = 0; is_known && i < plan.points; ++i)
     for (int c = 0; c < plan.dimensions && plan.inverse_mass[i] != 0.0; ++c)
-      motion.x[static_cast<std::size_t>(c) * plan.points + i] = before.rest[i][c];
+      if (fixed_mass(plan, i, c) == 0.0) motion.x[static_cast<std::size_t>(c) * plan.points + i] = before.rest[i][c];
   return motion.x;
 }
 
@@ -168,7 +169,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
            !touches(plan, system, time, x) && !touches_itself(plan, x) && !is_overstretched(plan, system, x);
   };
   const Index supported = count_supported(plan);
-  const bool has_weight = plan.acceleration != Vec3(0.0);
+  const bool has_weight = plan.acceleration != Vec3(0.0) || !plan.force_data.load.empty();
   forecast.why_no_sag = !has_weight ? "no weight" : count_free(plan) == plan.points ? "no point is nailed" : "a part hangs on no nail";
   if (has_weight && supported > 0) {
     if (supported < count_free(plan)) return std::nullopt;
@@ -193,7 +194,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
     return floppy_threshold;
   }
   // a floating or freely falling scene vibrates as if weightless
-  if (has_weight && (!plan.colliders.empty() || !plan.one_way.empty())) return std::nullopt;
+  if (has_weight && (!plan.colliders.empty() || !plan.one_way.empty() || !plan.forces.empty())) return std::nullopt;
   plan.acceleration = Vec3(0.0);
   if (!finds_equilibrium(weightless_residual, weightless_residual)) return std::nullopt;
   if (!has_weight)

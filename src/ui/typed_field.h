@@ -9,10 +9,10 @@
 
 namespace hooke {
 
-// The range of typed values: far beyond the sliders, but still computable. [kg], [m], [N/m], [N s/m], [1], [m/s]
+// The range of typed values: far beyond the sliders, but still computable. [kg], [m], [N/m], [N s/m], [1], [m/s], [N]
 namespace typed {
 inline constexpr double min_mass = 1e-9, max_mass = 1e9, max_length = 1e6, max_stiffness = 1e12, max_damping = 1e9, max_strain = 1e6,
-                        max_speed = 1e6;
+                        max_speed = 1e6, max_force = 1e12;
 }
 
 struct TypedField {

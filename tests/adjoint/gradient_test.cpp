@@ -27,13 +27,14 @@ struct Chain {
   }
 };
 
-// Six points in air that moves, the first one nailed, with springs to the next and to the second next one.
+// Six points with loads in air that moves, the first one nailed, with springs to the next and to the second next one.
 Chain make_chain() {
   Chain chain;
   chain.system.drag = 0.3;
   chain.system.wind = Vec3(1.0, 0.0, 0.0);
   for (int i = 0; i < 6; ++i) {
     chain.system.append_point({.id = chain.system.new_point_id(), .nailed = i == 0, .mass = 0.5 + 0.1 * i});
+    chain.system.point(i).load = Vec3(0.2 * i, -0.3, 0.1);
     chain.state.position.emplace_back(0.3 * i, -0.03 * i * i, 0.05 * i);
     chain.state.velocity.push_back(i == 0 ? Vec3(0.0) : Vec3(0.1 * i, 0.2, -0.1));
   }

@@ -161,6 +161,16 @@ Command RandomCommands::next(Lab& lab) {
       return move;
     }
     case 4: {
+      if (random_.one_in(3)) {
+        SetLoad set;
+        for (const PointId id : some_points(scene)) set.values.emplace_back(id, vector());
+        return set;
+      }
+      if (random_.one_in(3)) {
+        SetFixedAxes set;
+        for (const PointId id : some_points(scene)) set.values.emplace_back(id, static_cast<std::uint8_t>(random_.below(8)));
+        return set;
+      }
       SetPointColor set;
       for (const PointId id : some_points(scene))
         set.values.emplace_back(id, random_.one_in(2) ? std::optional(Color{1, 2, 3}) : std::nullopt);

@@ -41,7 +41,7 @@ TEST(DeviceRefusal, NamesTheLawOfASpring) {
   EXPECT_EQ(reason("", velocity_verlet, R"(, "rest_length_rate": 0.1)"), "springs whose rest length moves");
 }
 
-TEST(DeviceRefusal, NamesTheMethodAndWhereItsDashpotsAreForces) {
+TEST(DeviceRefusal, NamesTheMethod) {
   for (const Integrator& method : integrators()) {
     const bool runs = &method == &symplectic_euler || &method == &velocity_verlet || &method == &velocity_verlet_explicit;
     const std::string why = reason("", method);
@@ -50,9 +50,7 @@ TEST(DeviceRefusal, NamesTheMethodAndWhereItsDashpotsAreForces) {
       EXPECT_EQ(why.substr(0, why.find(':')), "the method " + std::string(method.id));
     }
   }
-  EXPECT_EQ(reason("", symplectic_euler, R"(, "damping": 1)"), "");
-  EXPECT_EQ(reason("", velocity_verlet_explicit, R"(, "damping": 1)"), "");
-  EXPECT_NE(reason("", velocity_verlet, R"(, "damping": 1)").find("velocity_verlet_explicit"), std::string::npos);
+  EXPECT_EQ(reason("", velocity_verlet, R"(, "damping": 1)"), "");
 }
 
 }  // namespace

@@ -87,6 +87,19 @@ TEST(Arrange, WeldingKeepsMassMomentumAndSpringsAndSplittingDividesTheMass) {
   EXPECT_TRUE(split(snapshot_of(scene), scene.sheet.get(), {scene.system.points()[1].id}, ids_of(scene)).empty());
 }
 
+TEST(Arrange, WeldingAddsLoadsAndFixedAxesAndSplittingDividesLoads) {
+  Scene scene = bar();
+  for (Index i : {0, 1}) scene.system.point(i).load = {0.0, -3.0, 1.0};
+  scene.system.point(0).fixed_axes = 2;
+  scene.system.point(1).fixed_axes = 4;
+  take(scene, split(snapshot_of(scene), scene.sheet.get(), {scene.system.points()[1].id}, ids_of(scene)));
+  EXPECT_EQ(scene.system.points()[1].load, Vec3(0.0, -1.5, 0.5));
+  EXPECT_EQ(scene.system.points()[3].load, Vec3(0.0, -1.5, 0.5));
+  take(scene, weld(snapshot_of(scene), scene.sheet.get(), {scene.system.points()[0].id, scene.system.points()[1].id}, ids_of(scene)));
+  EXPECT_EQ(scene.system.points()[0].load, Vec3(0.0, -4.5, 1.5));
+  EXPECT_EQ(scene.system.points()[0].fixed_axes, 6);
+}
+
 TEST(Arrange, WeldedAndSplitSpringsKeepTheirShareOfTheSheet) {
   for (const bool welds : {true, false}) {
     Scene scene = bar();

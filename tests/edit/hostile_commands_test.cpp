@@ -75,7 +75,8 @@ class Hostile {
       case 0:
         return Insert{
             some<PlacedPoint>([&] {
-              return PlacedPoint{no_index, {.id = point(system), .mass = number(), .radius = number()}, vector(), vector(), number()};
+              return PlacedPoint{
+                  no_index, {.id = point(system), .mass = number(), .radius = number(), .load = vector()}, vector(), vector(), number()};
             }),
             some<PlacedSpring>([&] {
               return PlacedSpring{no_index,
@@ -94,6 +95,8 @@ class Hostile {
       case 1:
         return Remove{some<PointId>([&] { return point(system); }), some<SpringId>([&] { return spring(system); })};
       case 2:
+        if (random_.one_in(3)) return SetLoad{{{point(system), vector()}}};
+        if (random_.one_in(3)) return SetFixedAxes{{{point(system), static_cast<std::uint8_t>(random_.below(20))}}};
         return SetNailed{{{point(system), random_.one_in(2), vector()}}};
       case 3:
         return Move{{{point(system), vector(), vector()}}};

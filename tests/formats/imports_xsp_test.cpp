@@ -321,6 +321,19 @@ TEST(Xsp, AWrittenSceneHasTheSameMotion) {
   }
 }
 
+TEST(Xsp, LossesNameLoadsAndRollers) {
+  Scene scene;
+  scene.system.dimensions = 2;
+  scene.system.append_point({.id = scene.system.new_point_id(), .fixed_axes = 2, .load = {0.0, -1.0, 0.0}});
+  scene.state.position.emplace_back(1.0, 1.0, 0.0);
+  scene.state.velocity.emplace_back(0.0);
+  std::vector<std::string> losses;
+  format_xsp(scene, "again.xsp", losses);
+  ASSERT_EQ(losses.size(), 2u);
+  EXPECT_EQ(losses[0], "again.xsp: .xsp cannot represent the load of 1 point");
+  EXPECT_EQ(losses[1], "again.xsp: .xsp cannot represent the fixed axes of 1 point");
+}
+
 TEST(Xsp, AWrittenCenterIsTheMiddleOfTheWindow) {
   Scene scene;
   scene.system.dimensions = 2;

@@ -95,6 +95,14 @@ TEST(LammpsExport, NamesTheHandOfTheUser) {
   expect_refused(scene, "the hand");
 }
 
+TEST(LammpsExport, NamesLoadsAndRollers) {
+  Scene scene = two_points(with_spring(""));
+  scene.system.point(0).load = Vec3(0.0, -1.0, 0.0);
+  expect_refused(scene, "loads of points");
+  scene.system.point(0) = {.id = scene.system.points()[0].id, .fixed_axes = 1};
+  expect_refused(scene, "points on rollers");
+}
+
 TEST(LammpsExport, NamesAllReasons) {
   const Scene scene = two_points(with_spring(R"(, "damping": 1)") + R"(, "contact": {"points": true, "faces": true}, )" +
                                  elastic_plane(R"(, "belt": [1, 0, 0])"));

@@ -222,6 +222,8 @@ TEST(BadScenes, FieldsOfTheWrongKindAreRefused) {
       {R"({"hooke": 1, "points": [[0, 0, 0]]})", "points[0]: [0, 0, 0]: must be an object {...}"},
       {R"({"hooke": 1, "points": [{}]})", "points[0].position: missing: must be [x, y, z]"},
       {point_with(R"("nailed": 1)"), "points[0].nailed: 1: must be true or false"},
+      {point_with(R"("fixed": "yx")"), R"(points[0].fixed: "yx": must be axes in their order, as "y" or "xz")"},
+      {point_with(R"("load": 1)"), "points[0].load: 1: must be a list [...]"},
       {point_with(R"("color": "red")"), "points[0].color: \"red\": must be a color \"#rrggbb\""},
       {point_with(R"("color": "#12345g")"), "points[0].color: \"#12345g\": must be a color \"#rrggbb\""},
       {spring_with(R"("damping": 1)"), "springs[0].stiffness: missing: must be a number of at least 0"},

@@ -118,6 +118,8 @@ class RandomScene {
       if (random_() % 3 == 0) scene.system.new_point_id();
       Point point{.id = scene.system.new_point_id(), .nailed = random_() % 2 == 0, .mass = positive(), .radius = not_negative()};
       if (random_() % 2) point.color = color();
+      if (random_() % 2) point.fixed_axes = static_cast<std::uint8_t>(random_() % 8);
+      if (random_() % 2) point.load = place();
       scene.system.append_point(point);
       scene.state.position.push_back(place());
       scene.state.velocity.push_back(random_() % 2 ? place() : Vec3(0.0));

@@ -48,6 +48,8 @@ std::vector<Command> one_of_each() {
       SetNailed{{{PointId{1}, true, {0.1, 0.2, 0.3}}}},
       Move{{{PointId{1}, {0.1, 0.2, 0.3}, {-1, -2, -3}}}},
       SetPointColor{{{PointId{1}, Color{9, 8, 7}}, {PointId{2}, std::nullopt}}},
+      SetLoad{{{PointId{1}, {0.1, -2, 3}}}},
+      SetFixedAxes{{{PointId{1}, 5}}},
       SetPointProperty{PointProperty::Radius, {{PointId{1}, 0.1}}},
       SetSpringProperty{SpringProperty::BreakStrain, {{SpringId{1}, never_breaks}}},
       SetSpringLaw{{{SpringId{1}, SpringLaw{.force = SpringForce::Cubic, .k3 = -5.0, .rate = 0.1}}, {SpringId{2}, std::nullopt}}},

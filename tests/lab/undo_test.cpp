@@ -54,6 +54,8 @@ class RandomEdits {
     if (pick(3) == 0) return {{{point(lab), std::nullopt}}};
     return {{{point(lab), Color{1, 2, 3}}, {point(lab), Color{4, 5, static_cast<std::uint8_t>(pick(256))}}}};
   }
+  SetLoad draw(Kind<SetLoad>, Lab& lab) { return {{{point(lab), place()}, {point(lab), Vec3(0.0)}}}; }
+  SetFixedAxes draw(Kind<SetFixedAxes>, Lab& lab) { return {{{point(lab), static_cast<std::uint8_t>(pick(8))}}}; }
   SetPointProperty draw(Kind<SetPointProperty>, Lab& lab) {
     return {pick(2) == 0 ? PointProperty::Mass : PointProperty::Radius, {{point(lab), number()}}};
   }

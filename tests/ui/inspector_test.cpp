@@ -33,9 +33,8 @@ Scene chain(int dimensions = 3) {
 struct Field {
   const char* group;
   const char* id;
-  int axis = -1;
 };
-constexpr Field fields[] = {{"points", "", 0},        {"points", "", 1},          {"points", "", 2},
+constexpr Field fields[] = {{"points", "Position x"}, {"points", "Position y"},   {"points", "Position z"},
                             {"points", "mass"},       {"points", "radius"},       {"springs", "Stiffness k"},
                             {"springs", "Damping d"}, {"springs", "Rest length"}, {"springs", "Breaks at"}};
 
@@ -53,7 +52,7 @@ class Inspector : public GuiFixture {
   glm::dvec2 place_of(const Field& field) {
     const ImGuiWindow* side = ImGui::FindWindowByName("side");
     ImGuiID id = ImHashStr(field.group, 0, side->ID);
-    id = field.axis >= 0 ? ImHashData(&field.axis, sizeof field.axis, id) : ImHashStr(field.id, 0, id);
+    id = ImHashStr(field.id, 0, id);
     id = ImHashStr("##typed", 0, id);
     for (double y = 4.0; y < 1200.0; y += 6.0) {
       move({side->Pos.x + 0.5 * side->Size.x, side->Pos.y + y});
@@ -69,7 +68,7 @@ class Inspector : public GuiFixture {
   }
   void type_into(const Field& field, const std::string& text) {
     const glm::dvec2 place = place_of(field);
-    ASSERT_GT(place.x, 0.0) << field.group << " " << field.id << field.axis;
+    ASSERT_GT(place.x, 0.0) << field.group << " " << field.id;
     type_at(place, text);
   }
 };
@@ -96,7 +95,7 @@ TEST(Inspector, SetsAPropertyOfAllAndUndoRestoresEachValue) {
   }
   gui.type_into({"springs", "Breaks at"}, "never");
   EXPECT_EQ(gui.system().springs()[0].break_strain, never_breaks);
-  gui.type_into({"points", "", 1}, "-0.2");
+  gui.type_into({"points", "Position y"}, "-0.2");
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(gui.status().snapshot->state.position[i], Vec3(scene.state.position[i].x, -0.2, 0.0));
     EXPECT_EQ(gui.status().snapshot->state.velocity[i], scene.state.velocity[i]);
@@ -134,6 +133,20 @@ TEST(Inspector, SetsTheVelocityOfFreePointsAsOneStep) {
   EXPECT_EQ(state.velocity[2], Vec3(0.0, -2.5, 0.0));
   gui.key(letter('Z'), control);
   EXPECT_EQ(gui.status().snapshot->state.velocity[1], Vec3(0.5, 0.0, 0.0));
+}
+
+TEST(Inspector, SetsLoadsAndFixedAxesOfAllAndUndoRestoresThem) {
+  const Scene scene = chain();
+  Inspector gui(scene);
+  gui.type_at(gui.find("side", {"points", "Load y", "##typed"}), "-2.5");
+  for (const Point& point : gui.system().points()) EXPECT_EQ(point.load, Vec3(0.0, -2.5, 0.0));
+  EXPECT_EQ(gui.status().history.undo_name, "load of 3 points");
+  gui.click(gui.find("side", {"points", "y"}));
+  gui.click(gui.find("side", {"points", "z"}));
+  for (const Point& point : gui.system().points()) EXPECT_EQ(point.fixed_axes, 6);
+  EXPECT_EQ(gui.status().history.undo_name, "fix yz of 3 points");
+  for (int step = 0; step < 3; ++step) gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.system(), scene.system);
 }
 
 TEST(Inspector, IsShownOnlyForASelectionAndFollowsIt) {

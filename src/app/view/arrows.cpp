@@ -13,6 +13,20 @@ namespace {
 
 constexpr Index max_arrow_points = 20'000;  // more arrows would cover the scene, and their forces would delay the window
 
+// The largest is `longest` [m].
+std::optional<Arrows> load_arrows(const Snapshot& snapshot, double longest) {
+  const System& system = *snapshot.system;
+  double largest = 0.0;
+  for (Index i = 0; i < system.point_count() && system.point_count() <= max_arrow_points; ++i)
+    largest = std::max(largest, glm::length(system.points()[i].load));
+  if (largest == 0.0) return std::nullopt;
+  Arrows arrows{.kind = Arrows::Kind::Load, .scale = round_below(longest / largest), .lines = {}};
+  for (Index i = 0; i < system.point_count(); ++i)
+    if (const Vec3& load = system.points()[i].load; load != Vec3(0.0))
+      arrows.lines.emplace_back(snapshot.state.position[i], snapshot.state.position[i] + arrows.scale * load);
+  return arrows;
+}
+
 }  // namespace
 
 double velocity_arrow_seconds(double view_height) { return round_below(0.1 * std::sqrt(std::max(view_height, 1e-12))); }
@@ -49,6 +63,7 @@ std::vector<Arrows> make_arrows(const Snapshot& snapshot, const ViewOptions& opt
     }
     all.push_back(std::move(arrows));
   }
+  if (auto arrows = load_arrows(snapshot, 0.15 * view_height)) all.push_back(std::move(*arrows));
   if (options.forces)
     if (auto arrows = forces.at(snapshot, 0.15 * view_height)) all.push_back(std::move(*arrows));
   return all;

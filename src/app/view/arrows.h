@@ -26,7 +26,7 @@ class ForceArrows {
   Plan plan_;
 };
 
-// What the options show, for a view of this height [m].
+// The loads of points, and what the options show, for a view of this height [m].
 std::vector<Arrows> make_arrows(const Snapshot& snapshot, const ViewOptions& options, double view_height, ForceArrows& forces);
 
 }  // namespace hooke

@@ -27,6 +27,7 @@ struct BenchOptions {
   std::filesystem::path report_of;  // results to write a report of, without measuring
   std::filesystem::path verify;     // earlier results to compare with; empty: none
   std::optional<std::string> junit;
+  Device device = Device::Cpu;
   bool quick = false, quiet = false, scaling = false, kernels = false, edits = false, capacity = false, overhead = false;
   double error = 1e-3;  // [1], of the cloths of --capacity, relative to their width
   std::string shard = "1/1";
@@ -166,6 +167,10 @@ std::function<int()> declare_bench(CLI::App& app) {
                            ->type_name("E")
                            ->capture_default_str();
   error->needs("--capacity");
+  app.add_option("--device", options->device, "Of --kernels: cpu, the default, or gpu, for the rows that run there")
+      ->type_name("cpu|gpu")
+      ->transform(one_of({"cpu", "gpu"}))
+      ->needs("--kernels");
   for (CLI::Option* option : instead) {
     const bool is_overhead = option == instead.back(), is_capacity = option == instead[instead.size() - 2];
     if (!is_overhead) option->excludes("SCENE");
@@ -183,7 +188,7 @@ std::function<int()> declare_bench(CLI::App& app) {
       if (options->methods.empty()) methods.push_back(&automatic_method());
       return bench_overhead(options->folder, options->scenes, methods, options->quick, options->quiet);
     }
-    if (options->kernels) return bench_kernels(options->folder, options->quick, options->quiet);
+    if (options->kernels) return bench_kernels(options->folder, options->device, options->quick, options->quiet);
     if (options->edits) return bench_edits(options->folder, options->quick, options->quiet);
     if (options->scaling) return bench_scaling(options->folder, options->quick, options->quiet);
     if (!options->merge.empty()) return merge_parts(*options);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/scene_options.h"
 #include "sim/methods/integrator.h"
 
 namespace hooke {
@@ -17,7 +18,7 @@ int bench_capacity(const std::filesystem::path& folder, std::span<const Integrat
 // How long edits of running cloths take to be seen.
 int bench_edits(const std::filesystem::path& folder, bool quick, bool quiet);
 // The time of a step of several kinds of cloth.
-int bench_kernels(const std::filesystem::path& folder, bool quick, bool quiet);
+int bench_kernels(const std::filesystem::path& folder, Device device, bool quick, bool quiet);
 // What measuring the accuracy costs with these methods on these scenes, or the default ones if there are none.
 int bench_overhead(const std::filesystem::path& folder, const std::vector<std::string>& scenes,
                    const std::vector<const Integrator*>& methods, bool quick, bool quiet);

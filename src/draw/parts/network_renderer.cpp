@@ -163,12 +163,13 @@ PointImpostor NetworkRenderer::impostor_of(const DrawContext& context, Index i) 
   double radius = std::max(point.radius * projected_[i].scale, min);
   if (!is_outside_cloth(i)) radius = std::min(radius, max);
   const double marked = mark_radius * scale * std::clamp(sparse / dense, 0.6, 1.0);
-  if (point.nailed) radius = std::max(radius, marked);
+  const bool is_support = point.nailed || point.fixed_axes != 0;
+  if (is_support) radius = std::max(radius, marked);
   if (selected_[i]) radius = std::max(radius, radius + emphasis(context) * (marked - radius));
 
   PointImpostor impostor{.radius = static_cast<float>(radius), .square = point.nailed};
-  const bool is_plain = !point.color && !point.nailed;
-  const Color color = point.nailed ? context.palette.nailed : point.color.value_or(context.palette.point);
+  const bool is_plain = !point.color && !is_support;
+  const Color color = is_support ? context.palette.nailed : point.color.value_or(context.palette.point);
   impostor.body = rgba(selected_[i] && is_plain ? context.palette.selected : color);
   if (is_plain && !selected_[i]) impostor.body.opacity = static_cast<std::uint8_t>(255.0 * std::clamp((sparse - 5.0) / 8.0, 0.0, 1.0));
   return impostor;

@@ -34,6 +34,23 @@ std::vector<std::pair<SpringId, Value>> exchange(Scene& scene, const std::vector
   return earlier;
 }
 
+// The same of points.
+template <class Value>
+std::vector<std::pair<PointId, Value>> exchange(Scene& scene, const std::vector<std::pair<PointId, Value>>& values, Value Point::*member) {
+  std::vector<std::pair<PointId, Value>> earlier;
+  for (const auto& [point, value] : values) {
+    const Index i = scene.system.index_of(point);
+    if (i == no_index) continue;
+    Point changed = scene.system.points()[i];
+    changed.*member = value;
+    if (!is_valid(changed)) continue;
+    earlier.emplace_back(point, scene.system.points()[i].*member);
+    scene.system.point(i) = changed;
+  }
+  std::ranges::reverse(earlier);
+  return earlier;
+}
+
 }  // namespace
 
 std::string SetNailed::describe() const {
@@ -97,16 +114,28 @@ std::string SetPointColor::describe() const { return "color of " + pluralize(val
 
 bool SetPointColor::is_undone_with(const SetPointColor& earlier) const { return same_ids(values, earlier.values); }
 
-Inverse SetPointColor::apply(Scene& scene, Effect&) const {
-  SetPointColor inverse;
-  for (const auto& [point, color] : values) {
-    const Index i = scene.system.index_of(point);
-    if (i == no_index) continue;
-    inverse.values.emplace_back(point, scene.system.points()[i].color);
-    scene.system.point(i).color = color;
-  }
-  std::reverse(inverse.values.begin(), inverse.values.end());
-  return {inverse};
+Inverse SetPointColor::apply(Scene& scene, Effect&) const { return {SetPointColor{exchange(scene, values, &Point::color)}}; }
+
+std::string SetLoad::describe() const {
+  return "load of " + pluralize(values.size(), "point", "points") +
+         (values.size() == 1 ? " to " + value_text(glm::length(values[0].second), "N") : "");
+}
+
+bool SetLoad::is_undone_with(const SetLoad& earlier) const { return same_ids(values, earlier.values); }
+
+Inverse SetLoad::apply(Scene& scene, Effect& effect) const {
+  effect.values = true;
+  return {SetLoad{exchange(scene, values, &Point::load)}};
+}
+
+std::string SetFixedAxes::describe() const {
+  const std::string axes = values.empty() ? "" : axes_text(values[0].second);
+  return (axes.empty() ? "free " : "fix " + axes + " of ") + pluralize(values.size(), "point", "points");
+}
+
+Inverse SetFixedAxes::apply(Scene& scene, Effect& effect) const {
+  effect.values = true;
+  return {SetFixedAxes{exchange(scene, values, &Point::fixed_axes)}};
 }
 
 std::string SetPointProperty::describe() const {

@@ -1,6 +1,7 @@
 // Commands that set properties of points and springs.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -62,6 +63,27 @@ struct SetPointColor {
   std::string describe() const;
   Inverse apply(Scene& scene, Effect& effect) const;
   bool is_undone_with(const SetPointColor& earlier) const;
+};
+
+// Sets the loads of points.
+struct SetLoad {
+  static constexpr std::string_view name = "set_load";
+  static constexpr auto fields = names("values");
+  std::vector<std::pair<PointId, Vec3>> values;  // [N]
+
+  std::string describe() const;
+  Inverse apply(Scene& scene, Effect& effect) const;
+  bool is_undone_with(const SetLoad& earlier) const;
+};
+
+// Sets along which axes points do not move (Point::fixed_axes).
+struct SetFixedAxes {
+  static constexpr std::string_view name = "set_fixed_axes";
+  static constexpr auto fields = names("values");
+  std::vector<std::pair<PointId, std::uint8_t>> values;
+
+  std::string describe() const;
+  Inverse apply(Scene& scene, Effect& effect) const;
 };
 
 enum class PointProperty { Mass, Radius };

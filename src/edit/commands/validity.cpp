@@ -42,7 +42,9 @@ bool may_spin(const Collider& collider) {
 
 }  // namespace
 
-bool is_valid(const Point& point) { return is_within(positive, point.mass) && is_within(not_negative, point.radius); }
+bool is_valid(const Point& point) {
+  return is_within(positive, point.mass) && is_within(not_negative, point.radius) && point.fixed_axes < 8 && is_finite(point.load);
+}
 
 bool is_valid(const Spring& spring) {
   const bool breaks = spring.break_strain != never_breaks;

@@ -44,6 +44,9 @@ std::vector<std::string> unsupported_by_lammps(const Scene& scene) {
   if (system.strain_limit > 0.0 && system.spring_count() > 0) list.emplace_back("the strain limit");
   if (system.grab || scene.state.hand.collider) list.emplace_back("the hand");
   if (system.scripted_hand) list.emplace_back("the scripted hand");
+  if (std::ranges::any_of(system.points(), [](const Point& point) { return point.load != Vec3(0.0); }))
+    list.emplace_back("loads of points");
+  if (std::ranges::any_of(system.points(), &Point::fixed_axes)) list.emplace_back("points on rollers");
   if (system.contact.points) list.emplace_back("contact between points");
   if (system.contact.faces || system.contact.springs) list.emplace_back("contact of faces and springs");
   for (const Force& force : system.forces)

@@ -54,6 +54,12 @@ void NetworkReader::read_point(const JsonField& field) {
       velocity = fields_.position(member);
     else if (member.is("nailed"))
       point.nailed = member.boolean();
+    else if (member.is("fixed")) {
+      const auto axes = axes_of(member.text());
+      if (!axes) member.refuse("must be axes in their order, as \"y\" or \"xz\"");
+      point.fixed_axes = *axes;
+    } else if (member.is("load"))
+      point.load = fields_.vector(member);
     else if (member.is("mass"))
       point.mass = member.number(positive);
     else if (member.is("radius"))

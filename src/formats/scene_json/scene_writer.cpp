@@ -156,6 +156,8 @@ void SceneWriter::write_point(Index i) {
   out_.vector("position", state_.position[i]);
   if (!is_positive_zero(state_.velocity[i])) out_.vector("velocity", state_.velocity[i]);
   if (point.nailed) out_.boolean("nailed", true);
+  if (point.fixed_axes != 0) out_.text("fixed", axes_text(point.fixed_axes));
+  if (!is_positive_zero(point.load)) out_.vector("load", point.load);
   out_.number("mass", point.mass);
   out_.number("radius", point.radius);
   if (point.color) out_.text("color", to_text(*point.color));

@@ -88,6 +88,11 @@ class Exporter {
     };
     const auto radii = static_cast<std::size_t>(std::count_if(system_.points().begin(), system_.points().end(), has_other_radius));
     if (radii > 0 && !walls_.empty()) report_loss("the radius of " + pluralize(radii, "point", "points") + ": it follows from the mass");
+    const auto count = [&](auto has) { return static_cast<std::size_t>(std::ranges::count_if(system_.points(), has)); };
+    if (const std::size_t loads = count([](const Point& point) { return point.load != Vec3(0.0); }); loads > 0)
+      report_loss("the load of " + pluralize(loads, "point", "points"));
+    if (const std::size_t rollers = count([](const Point& point) { return point.fixed_axes != 0; }); rollers > 0)
+      report_loss("the fixed axes of " + pluralize(rollers, "point", "points"));
     if (moving > 0) report_loss("the motion of " + pluralize(moving, "collider", "colliders"));
     if (system_.contact.faces || system_.contact.springs) report_loss("contact of faces and springs");
   }

@@ -12,12 +12,13 @@ namespace hooke {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw InputError(what + ": gradients are of springs, dashpots, gravity, drag and nails only");
+  throw InputError(what + ": gradients are of springs, dashpots, gravity, loads, drag and nails only");
 }
 
 // What acts in the scene and has no derivative here, as scene files call it.
 void check_forces(const Plan& plan, const System& system) {
-  if (!plan.forces.empty()) refuse("forces: " + std::string(plan.forces.front().term->id));
+  for (const Force& force : plan.forces)
+    if (force.term != &load_force) refuse((force.term == &roller_force ? "points: " : "forces: ") + std::string(force.term->id));
   if (!plan.spring.laws.empty()) refuse("laws of springs");
   if (!plan.spring.max_length.empty()) refuse("strain_limit");
   if (system.grab || system.scripted_hand) refuse("hand");

@@ -27,7 +27,7 @@ struct Gradient {
 
 // The gradient of a run of `frames` frames from `start`. The run is computed twice, and once backwards; the start of every frame and every
 // substep of one frame are kept. `progress` is called with (done, all) frames. Throws InputError "contact: ..." if anything but springs,
-// dashpots, gravity, drag and nails acts, or with another method than velocity_verlet and runge_kutta4.
+// dashpots, gravity, loads, drag and nails acts, or with another method than velocity_verlet and runge_kutta4.
 Gradient compute_gradient(const System& system, const Settings& settings, const State& start, long frames, const SampleWeights& weights,
                           const std::function<void(long, long)>& progress);
 

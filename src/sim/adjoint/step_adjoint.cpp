@@ -83,6 +83,7 @@ void StepAdjoint::pass_acceleration(const Field& x, const Field* v, const Field&
     to.inverse_mass[i] += tension * glm::dot(u, a1);
     to.inverse_mass[j] -= tension * glm::dot(u, a2);
   }
+  for (const auto& [i, load] : plan_.force_data.load) to.inverse_mass[i] += glm::dot(load, vector_at(plan_, of_a, i));
 }
 
 // Like decay_dashpots, but keeps the difference of the velocities of each spring before it acts.
@@ -125,7 +126,7 @@ void StepAdjoint::pass_verlet(const Field& x, const Field& v, const Field& next_
     w = v;
     sweep(SweepDirection::Forward, x, w, first_);
     for (const Field* at : {&x, &next_x}) {
-      compute_unlisted_forces(plan_, 0.0, *at, nullptr, a);
+      compute_position_forces(plan_, 0.0, *at, w, a);
       divide_by_mass(plan_, a);
       set_sum(decay, w, weight, a, w);
     }

@@ -82,7 +82,7 @@ bool rebound_from_walls(const Plan& plan, ContactWorkspace& before, double h, Mo
   double work = 0.0;
   bool any = false;
   for (Index i = 0; i < plan.points; ++i) {
-    if (plan.inverse_mass[i] == 0.0) continue;
+    if (plan.inverse_mass_in_contact()[i] == 0.0) continue;
     const Vec3 x0 = vector_at(plan, before.x, i), v0 = vector_at(plan, before.v, i), x1 = vector_at(plan, motion.x, i),
                v1 = vector_at(plan, motion.v, i);
     Path path{x1, v1, (v1 - v0) / h};

@@ -53,7 +53,8 @@ bool PairSearch::find(const Plan& plan, const Field& x, std::span<const double> 
     const PointPair pair{std::min(a, b), std::max(a, b)};
     const double reach = extent[a] + extent[b];
     if (distance_squared(plan, x, a, b) > reach * reach) return;
-    if ((plan.inverse_mass[a] == 0.0 && plan.inverse_mass[b] == 0.0) || plan.pairs.excludes(pair.i, pair.j)) return;
+    if ((plan.inverse_mass_in_contact()[a] == 0.0 && plan.inverse_mass_in_contact()[b] == 0.0) || plan.pairs.excludes(pair.i, pair.j))
+      return;
     if (pairs.size() < max_pairs)
       pairs.push_back(pair);
     else

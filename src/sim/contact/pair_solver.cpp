@@ -9,7 +9,7 @@
 namespace hooke {
 namespace {
 
-bool is_fixed(const Plan& plan, Index i) { return plan.inverse_mass[i] == 0.0; }
+bool is_fixed(const Plan& plan, Index i) { return plan.inverse_mass_in_contact()[i] == 0.0; }
 
 // Touches examined and impulses of a substep: those of some hundred sweeps over what points touch in a heap.
 long usual_work(std::size_t points) { return 5'000 * static_cast<long>(points); }

@@ -270,7 +270,7 @@ HWY_INLINE void solve_points(const Block& block, std::size_t i, std::size_t coun
   const Path path{load_point(block.plan, block.x0, i, count), load_point(block.plan, block.v0, i, count),
                   load_point(block.plan, block.x, i, count), load_point(block.plan, block.v, i, count)};
   const Lane radius = load(block.plan.radius.data() + i, count);
-  Lane inverse_mass = load(block.plan.inverse_mass.data() + i, count);
+  Lane inverse_mass = load(block.plan.inverse_mass_in_contact().data() + i, count);
   if (block.left_out != nullptr) {
     HWY_ALIGN double is_in[8] = {};
     for (std::size_t lane = 0; lane < lanes; ++lane) is_in[lane] = block.left_out[i + lane] == 0 ? 1.0 : 0.0;

@@ -66,7 +66,7 @@ double TouchSimulation::ignored_speed(const Touch& touch) const {
 }
 
 void TouchSimulation::add_point(const Plan& plan, Index i, const Vec3& x0, const Vec3& v0, const Vec3& x1, const Vec3& v1, double h) {
-  PointPath& path = paths.emplace_back(PointPath{.point = i, .inverse_mass = plan.inverse_mass[i], .x = x0, .v = v0});
+  PointPath& path = paths.emplace_back(PointPath{.point = i, .inverse_mass = plan.inverse_mass_in_contact()[i], .x = x0, .v = v0});
   if (path.inverse_mass == 0.0) return;
   const Vec3 change = v1 - v0;
   path.a = path.free_acceleration = change / h;

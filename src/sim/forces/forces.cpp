@@ -79,7 +79,7 @@ void compute_forces(const Plan& plan, double time, const Field& x, const Field& 
 }
 
 void compute_accelerations(const Plan& plan, double time, const Field& x, const Field& v, Field& a) {
-  if (plan.force_data.sticky.strength > 0.0) {
+  if (plan.has_balancing_forces()) {
     compute_forces(plan, time, x, v, a);
     return divide_by_mass(plan, a);
   }

@@ -22,7 +22,7 @@ LeapfrogPass<double> pass_of(const Plan& plan, Motion& motion, double kick, doub
   return pass;
 }
 
-// Forces of sticky planes, which balance the sum of all others.
+// Forces of sticky planes and of rollers, which balance the sum of all others.
 void accelerate_with_balancing_forces(const Plan& plan, double time, Motion& motion, const PassVelocities& velocities) {
   compute_unlisted_forces(plan, time, motion.x, plan.has_dashpots() ? velocities.acting : nullptr, motion.a);
   const Field& velocity = velocities.acting != nullptr ? *velocities.acting : motion.v;
@@ -54,7 +54,7 @@ void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift,
 
 void accelerate_kick_and_drift(const Plan& plan, double time, Motion& motion, double kick, double drift, const PassVelocities& velocities) {
   ++motion.counts.force_evaluations;
-  if (plan.force_data.sticky.strength > 0.0) {
+  if (plan.has_balancing_forces()) {
     accelerate_with_balancing_forces(plan, time, motion, velocities);
     return kick_and_drift(plan, motion, kick, drift, velocities);
   }

@@ -28,6 +28,7 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
       v[i] = plan.inverse_mass[i] == 0.0 ? 0.0 : state.velocity[i][c];
     }
   }
+  clear_fixed_axes(plan, motion.v.data());
   motion.acceleration_is_current = false;
   motion.power.reset();
   motion.memory = state.memory;

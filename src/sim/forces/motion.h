@@ -118,7 +118,8 @@ double dot(const Field& a, const Field& b);
 // RMS of the vector lengths over the free points, of a field that is zero at the others.
 double root_mean_square(const Plan& plan, const Field& field);
 
-// [m], [m/s] of every point to the packed layout and back. Nailed and held points start with velocity zero.
+// [m], [m/s] of every point to the packed layout and back. Nailed and held points, and rollers along their fixed axes, start with
+// velocity zero.
 void pack(const Plan& plan, const State& state, Motion& motion);
 void unpack(const Plan& plan, const Motion& motion, State& state);
 

@@ -26,12 +26,15 @@ double speed_along(const Plan& plan, const LawSpring& spring, const Axis& axis, 
 
 // v_i -= w_i impulse u,  v_j += w_j impulse u
 void apply_impulse(const Plan& plan, const LawSpring& spring, const Axis& axis, double impulse, Field& v) {
-  add_vector(plan, v, spring.first, -plan.inverse_mass[spring.first] * impulse * axis.u);
-  add_vector(plan, v, spring.second, plan.inverse_mass[spring.second] * impulse * axis.u);
+  add_vector(plan, v, spring.first, free_part(plan, spring.first, -plan.inverse_mass[spring.first] * impulse * axis.u));
+  add_vector(plan, v, spring.second, free_part(plan, spring.second, plan.inverse_mass[spring.second] * impulse * axis.u));
 }
 
-bool is_fixed(const Plan& plan, const LawSpring& spring) {
-  return plan.inverse_mass[spring.first] == 0.0 && plan.inverse_mass[spring.second] == 0.0;
+// [1/kg], of both ends along the axis: w1 + w2, less of rollers; 0: neither moves along it.
+double inverse_mass_along(const Plan& plan, const LawSpring& spring, const Axis& axis) {
+  const auto part = [&](Index i) { return plan.inverse_mass[i] * glm::dot(axis.u, free_part(plan, i, axis.u)); };
+  if (!plan.force_data.rollers.empty()) return part(spring.first) + part(spring.second);
+  return plan.inverse_mass[spring.first] + plan.inverse_mass[spring.second];
 }
 
 }  // namespace
@@ -63,10 +66,10 @@ void sweep_law_dashpots(const Plan& plan, SweepDirection sweep, double duration,
   const std::vector<LawSpring>& springs = plan.spring.laws.springs;
   for (std::size_t n = 0; n < springs.size(); ++n) {
     const LawSpring& spring = springs[sweep == SweepDirection::Forward ? n : springs.size() - 1 - n];
-    if (spring.damping == 0.0 || is_fixed(plan, spring)) continue;
     const Axis axis = axis_of(plan, spring, x.data());
+    const double inverse_mass = inverse_mass_along(plan, spring, axis);
+    if (spring.damping == 0.0 || inverse_mass == 0.0) continue;
     const double damping = response_of(spring, plan.spring.laws.clock, time, axis.length).damping;
-    const double inverse_mass = plan.inverse_mass[spring.first] + plan.inverse_mass[spring.second];
     const double loss = -portable::expm1(-damping * duration * inverse_mass) / inverse_mass;
     apply_impulse(plan, spring, axis, loss * speed_along(plan, spring, axis, v.data()), v);
   }
@@ -74,10 +77,10 @@ void sweep_law_dashpots(const Plan& plan, SweepDirection sweep, double duration,
 
 void project_laws(const Plan& plan, double h, double phi, double time, const Field& x, Field& v) {
   for (const LawSpring& spring : plan.spring.laws.springs) {
-    if (is_fixed(plan, spring)) continue;
     const Axis axis = axis_of(plan, spring, x.data(), v.data(), h);
+    const double inverse_mass = inverse_mass_along(plan, spring, axis);
+    if (inverse_mass == 0.0) continue;
     const auto [of, damping] = response_of(spring, plan.spring.laws.clock, time, axis.length);
-    const double inverse_mass = plan.inverse_mass[spring.first] + plan.inverse_mass[spring.second];
     const double impulse = phi * (of.tension + damping * speed_along(plan, spring, axis, v.data())) /
                            (1.0 + phi * (h * of.stiffness + damping) * inverse_mass);
     apply_impulse(plan, spring, axis, impulse, v);

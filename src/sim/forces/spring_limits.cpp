@@ -38,7 +38,8 @@ double energy_of(const Plan& plan, const Motion& motion) {
 
 // Moves the ends of one spring to the distance `max` and stops their separation. As the distance decreases, they rotate faster about their
 // common center, so that l times the transverse velocity is conserved and a swing loses nothing. This does not apply to a spring that is
-// far too long after a step that was too coarse, because the ends would be accelerated in every round.
+// far too long after a step that was too coarse, because the ends would be accelerated in every round. A roller takes only its part of what
+// would move a free point, so that further rounds are needed.
 void limit_spring(const Plan& plan, Motion& motion, Index first, Index second, double length, double max) {
   const double w1 = plan.inverse_mass[first], w2 = plan.inverse_mass[second];
   if (w1 + w2 == 0.0) return;
@@ -46,10 +47,10 @@ void limit_spring(const Plan& plan, Motion& motion, Index first, Index second, d
   const double speed = glm::dot(along, separation), rotation_gain = length < max_conserving_ratio * max ? length / max - 1.0 : 0.0;
   const Vec3 correction = (length - max) / (w1 + w2) * along;
   const Vec3 impulse = (std::max(0.0, speed) * along - rotation_gain * (separation - speed * along)) / (w1 + w2);
-  add_vector(plan, motion.x, first, w1 * correction);
-  add_vector(plan, motion.x, second, -w2 * correction);
-  add_vector(plan, motion.v, first, w1 * impulse);
-  add_vector(plan, motion.v, second, -w2 * impulse);
+  add_vector(plan, motion.x, first, free_part(plan, first, w1 * correction));
+  add_vector(plan, motion.x, second, free_part(plan, second, -w2 * correction));
+  add_vector(plan, motion.v, first, free_part(plan, first, w1 * impulse));
+  add_vector(plan, motion.v, second, free_part(plan, second, -w2 * impulse));
 }
 
 // One round over all springs. Returns whether any was too long.
@@ -76,8 +77,8 @@ void stop_overlong_springs(const Plan& plan, Motion& motion) {
                  w2 = plan.inverse_mass[second];
     if (!(length > max_conserving_ratio * plan.spring.max_length[spring]) || !std::isfinite(length) || w1 + w2 == 0.0) return;
     const Vec3 impulse = difference_at(plan, motion.v, first, second) / (w1 + w2);
-    add_vector(plan, motion.v, first, w1 * impulse);
-    add_vector(plan, motion.v, second, -w2 * impulse);
+    add_vector(plan, motion.v, first, free_part(plan, first, w1 * impulse));
+    add_vector(plan, motion.v, second, free_part(plan, second, -w2 * impulse));
   };
   for_each_spring(plan, stop);
   for (auto run = plan.spring.runs.rbegin(); run != plan.spring.runs.rend(); ++run)

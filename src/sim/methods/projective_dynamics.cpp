@@ -34,7 +34,7 @@ std::vector<std::pair<Index, Index>> ends_of_springs(const Plan& plan) {
 // A, and its factor.
 class GlobalMatrix final : public Structure {
  public:
-  explicit GlobalMatrix(const Plan& plan) : Structure(plan), ends_(ends_of_springs(plan)), solver_(plan.points, 1, ends_) {}
+  explicit GlobalMatrix(const Plan& plan) : Structure(plan), ends_(ends_of_springs(plan)) {}
 
   // For steps of h in which a force acts for phi [s].
   void prepare(const Plan& plan, double h, double phi) {
@@ -42,33 +42,46 @@ class GlobalMatrix final : public Structure {
     if (weights_ == factored_) return;
     factored_ = weights_;
     ++factorizations_;
-    solver_.set_zero();
-    const std::size_t springs = ends_.size();
-    for (Index i = 0; i < plan.points; ++i) *solver_.diagonal(i).start = weights_[springs + i];
-    for (std::size_t s = 0; s < springs; ++s) {
-      const auto [i, j] = ends_[s];
-      const bool first_moves = plan.inverse_mass[i] != 0.0, second_moves = plan.inverse_mass[j] != 0.0;
-      if (first_moves) *solver_.diagonal(i).start += weights_[s];
-      if (second_moves) *solver_.diagonal(j).start += weights_[s];
-      if (first_moves && second_moves) *solver_.coupling(i, j).start -= weights_[s];
-    }
-    solver_.factorize();
+    const std::size_t count = matrix_count(plan);
+    while (solvers_.size() < count) solvers_.emplace_back(plan.points, 1, ends_);
+    for (std::size_t c = 0; c < count; ++c) factorize(plan, c, solvers_[c]);
   }
 
   // b becomes A^-1 b. Counts its cost, and that of what `prepare` factored before.
   void solve(const Plan& plan, Field& b, StepCounts& counts) {
     const std::size_t n = plan.points;
-    for (std::size_t at = 0; at < b.size(); at += n) solver_.solve(std::span(b).subspan(at, n));
+    for (std::size_t at = 0; at < b.size(); at += n) solvers_[at / n % matrix_count(plan)].solve(std::span(b).subspan(at, n));
+    clear_fixed_axes(plan, b.data());
     counts.factorizations += std::exchange(factorizations_, 0);
     ++counts.solves;
   }
 
  private:
+  // One matrix for all components, except with rollers.
+  static std::size_t matrix_count(const Plan& plan) {
+    return plan.force_data.rollers.empty() ? 1 : static_cast<std::size_t>(plan.dimensions);
+  }
+
+  // The matrix of component c.
+  void factorize(const Plan& plan, std::size_t c, LinearSolver& solver) {
+    solver.set_zero();
+    const std::size_t springs = ends_.size();
+    for (Index i = 0; i < plan.points; ++i) *solver.diagonal(i).start = weights_[springs + i] + fixed_mass(plan, i, static_cast<int>(c));
+    for (std::size_t s = 0; s < springs; ++s) {
+      const auto [i, j] = ends_[s];
+      const bool first_moves = plan.inverse_mass[i] != 0.0, second_moves = plan.inverse_mass[j] != 0.0;
+      if (first_moves) *solver.diagonal(i).start += weights_[s];
+      if (second_moves) *solver.diagonal(j).start += weights_[s];
+      if (first_moves && second_moves) *solver.coupling(i, j).start -= weights_[s];
+    }
+    solver.factorize();
+  }
+
   // For the packed springs, with stiffnesses that no derivative of a force exceeds (of a cubic one up to 100 % strain), and for the points.
   // The hand's pull k |sum w x - target|^2 / 2 is bounded by k sum w x^2 / 2.
   void set_weights(const Plan& plan, double h, double phi) {
     const std::size_t springs = ends_.size();
-    weights_.resize(springs + 2 * plan.points);
+    weights_.resize(springs + 2 * plan.points + plan.force_data.rollers.fixed.size());
     const LawSprings& laws = plan.spring.laws;
     for (std::size_t s = 0; s < springs; ++s) {
       const LawSpring* law = laws.empty() || laws.of_packed[s] == no_index ? nullptr : &laws.springs[laws.of_packed[s]];
@@ -78,13 +91,14 @@ class GlobalMatrix final : public Structure {
     }
     std::ranges::copy(plan.mass, weights_.begin() + springs);
     std::ranges::copy(plan.inverse_mass, weights_.begin() + springs + plan.points);
+    std::ranges::copy(plan.force_data.rollers.fixed, weights_.begin() + springs + 2 * plan.points);
     if (!plan.hand.pull) return;
     for (const auto& [point, weight] : plan.hand.pull->points())
       if (plan.inverse_mass[point] != 0.0) weights_[springs + point] += phi * h * plan.hand.pull->stiffness * weight;
   }
 
   std::vector<std::pair<Index, Index>> ends_;
-  LinearSolver solver_;
+  std::vector<LinearSolver> solvers_;
   std::vector<double> weights_, factored_;
   int factorizations_ = 0;
 };

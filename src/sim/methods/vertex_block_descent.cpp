@@ -113,7 +113,9 @@ void descend(const Descent& step, const PointColors& colors, Index i) {
   if (plan.hand.pull) add_hand(step, i, force, matrix);
 
   const Vec3 residual = plan.mass[i] * (v - vector_at(plan, step.target, i)) - step.phi * force;
-  const Vec3 change = -(glm::inverse(glm::dmat3(plan.mass[i]) + step.phi * step.h * matrix) * residual);
+  matrix = glm::dmat3(plan.mass[i]) + step.phi * step.h * matrix;
+  for (int c = 0; c < plan.dimensions; ++c) matrix[c][c] += fixed_mass(plan, i, c);
+  const Vec3 change = free_part(plan, i, -(glm::inverse(matrix) * residual));
   add_vector(plan, step.v, i, change);
   add_vector(plan, step.x, i, step.h * change);
 }

@@ -32,7 +32,7 @@ void pull(const Plan& plan, Motion& motion, double h) {
   const double stiffness = phi * k / (1.0 + phi * h * k * w);
   const Vec3 stretch = pull_stretch(plan, motion.x, motion.time + h) + h * pulled_mean(plan, motion.v);
   for (const auto& [point, weight] : hand.points())
-    add_vector(plan, motion.v, point, -plan.inverse_mass[point] * weight * stiffness * stretch);
+    add_vector(plan, motion.v, point, free_part(plan, point, -plan.inverse_mass[point] * weight * stiffness * stretch));
 }
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {

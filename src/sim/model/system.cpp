@@ -56,6 +56,19 @@ void set(List& items, IdTable& ids, List list) {
 
 }  // namespace
 
+std::string axes_text(std::uint8_t fixed_axes) {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis)
+    if ((fixed_axes >> axis & 1) != 0) text += "xyz"[axis];
+  return text;
+}
+
+std::optional<std::uint8_t> axes_of(std::string_view text) {
+  for (std::uint8_t axes = 0; axes < 8; ++axes)
+    if (axes_text(axes) == text) return axes;
+  return std::nullopt;
+}
+
 Vec3 ColliderPath::offset(double time) const {
   return amplitude == Vec3(0.0) ? amplitude : portable::sin(2.0 * std::numbers::pi * frequency * time + phase) * amplitude;
 }

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -21,11 +24,26 @@ namespace hooke {
 struct Point {
   PointId id{};
   bool nailed = false;
-  std::optional<Color> color;  // none: by state (nailed yellow, selected red)
-  double mass = 1.0;           // [kg], > 0
-  double radius = 0.02;        // [m], >= 0: for drawing, and the distance at which it touches a collider
+  std::uint8_t fixed_axes = 0;  // a roller: the sum of 1, 2 and 4 if it does not move along x, y and z
+  std::optional<Color> color;   // none: by state (nailed yellow, selected red)
+  double mass = 1.0;            // [kg], > 0
+  double radius = 0.02;         // [m], >= 0: for drawing, and the distance at which it touches a collider
+  Vec3 load{0.0};               // [N], a constant force on it
+  bool is_plain() const { return fixed_axes == 0 && load == Vec3(0.0); }
+  bool is_fixed_along(int axis) const { return (fixed_axes >> axis & 1) != 0; }
   bool operator==(const Point&) const = default;
 };
+
+// The fixed axes of a point in words, "xz", and back; none if it is another text.
+std::string axes_text(std::uint8_t fixed_axes);
+std::optional<std::uint8_t> axes_of(std::string_view text);
+
+// The part of the velocity with which a point moves: nothing of a nail, and nothing along fixed axes.
+inline Vec3 velocity_of(const Point& point, Vec3 velocity) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (point.nailed || point.is_fixed_along(axis)) velocity[axis] = 0.0;
+  return velocity;
+}
 
 struct Plane {
   Vec3 point{0.0};

@@ -26,6 +26,9 @@ inline constexpr double min_relative_thickness = 0.05;
 // [m], of faces without springs.
 inline constexpr double min_thickness = 1e-3;
 
+// [1], the mass of a roller along a fixed axis in matrices, relative to its own: so large that what it moves is lost in rounding.
+inline constexpr double fixed_mass_ratio = 1e60;
+
 // [1], by which a run may exceed the estimate of how far its points get before it counts as unstable.
 inline constexpr double reach_margin = 1000.0;
 

@@ -81,24 +81,49 @@ void plan_length_limits(Plan& plan, const System& system) {
   }
 }
 
-// The springs with a law, into a plan that has its runs.
+// What the contact of rollers needs, after masses, nails or the held point have changed.
+void refresh_rollers(Plan& plan) {
+  RollerPlan& rollers = plan.force_data.rollers;
+  if (rollers.empty()) return;
+  rollers.inverse_pushed = plan.inverse_mass;
+  for (std::size_t at = 0; at < rollers.fixed.size(); ++at)
+    if (rollers.fixed[at] != 0) rollers.inverse_pushed[at % static_cast<std::size_t>(plan.points)] = 0.0;
+}
+
+void plan_rollers(Plan& plan, const System& system) {
+  std::vector<std::uint8_t>& fixed = plan.force_data.rollers.fixed;
+  const bool has_rollers = std::ranges::any_of(system.points(), [](const Point& point) { return point.fixed_axes != 0 && !point.nailed; });
+  fixed.assign(has_rollers ? system.points().size() * static_cast<std::size_t>(plan.dimensions) : 0, 0);
+  for (std::size_t at = 0; at < fixed.size(); ++at) {
+    const Point& point = system.points()[at % system.points().size()];
+    fixed[at] = !point.nailed && point.is_fixed_along(static_cast<int>(at / system.points().size())) ? 1 : 0;
+  }
+}
+
+// Whether it is planned as a spring with a law (LawSpring).
+bool has_law(const Plan& plan, const System& system, const Spring& spring) {
+  const auto is_roller = [&](PointId id) { return system.points()[system.index_of(id)].fixed_axes != 0; };
+  return spring.law || (!plan.force_data.rollers.empty() && (is_roller(spring.first) || is_roller(spring.second)));
+}
+
+// The springs with a law, into a plan that has its runs and its rollers.
 void plan_laws(Plan& plan, const System& system) {
   LawSprings& laws = plan.spring.laws;
   laws = {.clock = system.muscles};
-  if (!system.springs().have_laws()) return;
+  if (!system.springs().have_laws() && plan.force_data.rollers.empty()) return;
   laws.of_packed.assign(plan.springs, no_index);
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const Spring spring = system.springs()[plan.spring.index[run.begin + e]];
-      if (!spring.law) continue;
+      if (!has_law(plan, system, spring)) continue;
       laws.of_packed[run.begin + e] = static_cast<Index>(laws.springs.size());
       laws.springs.push_back({.first = run.first + e,
                               .second = run.second + e,
-                              .law = *spring.law,
+                              .law = spring.law.value_or(SpringLaw{}),
                               .stiffness = system.stiffness_of(spring),
                               .damping = system.damping_of(spring),
                               .rest_length = spring.rest_length});
-      laws.move = laws.move || (spring.law->moves() && system.muscles.rate() != 0.0);
+      laws.move = laws.move || (laws.springs.back().law.moves() && system.muscles.rate() != 0.0);
     }
   if (laws.springs.empty()) laws = {};
 }
@@ -107,6 +132,11 @@ void plan_laws(Plan& plan, const System& system) {
 void plan_forces(Plan& plan, const System& system) {
   plan.forces.clear();
   std::ranges::copy_if(system.forces, std::back_inserter(plan.forces), &Force::on);
+  plan.force_data.load.clear();
+  for (Index i = 0; i < system.point_count(); ++i)
+    if (const Vec3& load = system.points()[i].load; load != Vec3(0.0)) plan.force_data.load.emplace_back(i, load);
+  if (!plan.force_data.load.empty()) plan.forces.push_back({.term = &load_force});
+  if (!plan.force_data.rollers.empty()) plan.forces.push_back({.term = &roller_force});
   std::ranges::stable_sort(plan.forces, {}, [](const Force& force) { return force.term->rank; });
   plan.force_data.depend_on_velocity = std::ranges::any_of(plan.forces, &Force::depends_on_velocity);
 
@@ -138,8 +168,9 @@ void set_held_point(Plan& plan, const System& system, std::optional<Index> point
   if (plan.hand.held) plan.inverse_mass[*plan.hand.held] = held_point().nailed ? 0.0 : 1.0 / held_point().mass;
   plan.hand.held = point;
   plan.hand.held_springs.clear();
+  if (plan.hand.held) plan.inverse_mass[*plan.hand.held] = 0.0;
+  refresh_rollers(plan);
   if (!plan.hand.held) return;
-  plan.inverse_mass[*plan.hand.held] = 0.0;
   plan.hand.held_mass = held_point().nailed ? 0.0 : held_point().mass;
   for (const SpringRun& run : plan.spring.runs)
     for (const auto& [held_end, other_end] : {std::pair{run.first, run.second}, std::pair{run.second, run.first}})
@@ -178,6 +209,7 @@ void refresh_values(Plan& plan, const System& system) {
     plan.mass[i] = point.mass;
     plan.inverse_mass[i] = point.nailed ? 0.0 : 1.0 / point.mass;
   }
+  plan_rollers(plan, system);
   if (system.grab && system.grab->kind == GrabKind::Hold)
     set_held_point(plan, system, system.index_of(system.grab->point));
   else
@@ -189,13 +221,14 @@ void refresh_values(Plan& plan, const System& system) {
   bool damped = false;
   for (Index s = 0; s < plan.springs; ++s) {
     const Spring& spring = system.springs()[plan.spring.index[s]];
-    plan.spring.stiffness[s] = spring.law ? 0.0 : system.stiffness_of(spring);
+    plan.spring.stiffness[s] = has_law(plan, system, spring) ? 0.0 : system.stiffness_of(spring);
     plan.spring.rest_length[s] = spring.rest_length;
     damped = damped || system.damping_of(spring) > 0.0;
   }
   plan.spring.damping.assign(damped ? plan.springs : 0, 0.0);
   for (Index s = 0; s < static_cast<Index>(plan.spring.damping.size()); ++s)
-    if (const Spring spring = system.springs()[plan.spring.index[s]]; !spring.law) plan.spring.damping[s] = system.damping_of(spring);
+    if (const Spring spring = system.springs()[plan.spring.index[s]]; !has_law(plan, system, spring))
+      plan.spring.damping[s] = system.damping_of(spring);
   plan_laws(plan, system);
 
   plan_length_limits(plan, system);

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/model/system.h"
@@ -97,7 +99,14 @@ struct StickyPlan {
   std::vector<StickyContact> held;  // during the step in progress (forces/terms/sticking.h)
 };
 
-// A spring with a law, or whose rest length moves. Among the packed springs, it has no stiffness and no damping.
+// Points that do not move along some axes. A held one moves with the hand.
+struct RollerPlan {
+  std::vector<std::uint8_t> fixed;     // per component of a field: 1 where a point does not move; empty: there are no rollers
+  std::vector<double> inverse_pushed;  // [1/kg], per point: Plan::inverse_mass, but 0 of rollers
+  bool empty() const { return fixed.empty(); }
+};
+
+// A spring with a law, whose rest length moves, or on a roller. Among the packed springs, it has no stiffness and no damping.
 struct LawSpring {
   Index first = 0, second = 0;
   SpringLaw law;
@@ -144,7 +153,9 @@ struct ForceData {
   HingePlan hinges;                  // empty without the bending force
   EnclosurePlan enclosures;          // empty without the pressure force
   StickyPlan sticky;
-  Index center = no_index;  // the point at the center of forces
+  RollerPlan rollers;
+  Index center = no_index;                   // the point at the center of forces
+  std::vector<std::pair<Index, Vec3>> load;  // [N], of points
 };
 
 // What the hand pulls or holds.
@@ -185,6 +196,12 @@ struct Plan {
   bool has_contact() const { return !colliders.empty() || !one_way.empty() || touches_itself(); }
   bool touches_itself() const { return pairs.on || surface.on; }
   bool has_dashpots() const { return !spring.damping.empty(); }
+  // Whether a force balances the sum of all others.
+  bool has_balancing_forces() const { return force_data.sticky.strength > 0.0 || !force_data.rollers.empty(); }
+  // [1/kg], per point, for contact, which pushes no roller.
+  const std::vector<double>& inverse_mass_in_contact() const {
+    return force_data.rollers.empty() ? inverse_mass : force_data.rollers.inverse_pushed;
+  }
 
   // Displacement of a collider from its rest position at a time, and its velocity.
   Vec3 offset_of(std::size_t collider, double time) const;
@@ -222,12 +239,34 @@ inline void set_vector(const Plan& plan, Field& field, Index i, const Vec3& vect
   for (int c = 0; c < plan.dimensions; ++c) field[static_cast<std::size_t>(c) * plan.points + i] = vector[c];
 }
 
+// The vector of point i without what is along its fixed axes; and a field without that of all points.
+inline Vec3 free_part(const Plan& plan, Index i, Vec3 vector) {
+  const std::vector<std::uint8_t>& fixed = plan.force_data.rollers.fixed;
+  for (int c = 0; c < plan.dimensions && !fixed.empty(); ++c)
+    if (fixed[static_cast<std::size_t>(c) * plan.points + i] != 0) vector[c] = 0.0;
+  return vector;
+}
+inline void clear_fixed_axes(const Plan& plan, double* field) {
+  const std::vector<std::uint8_t>& fixed = plan.force_data.rollers.fixed;
+  for (std::size_t at = 0; at < fixed.size(); ++at)
+    if (fixed[at] != 0) field[at] = 0.0;
+}
+
+// [kg], that a matrix adds to the mass of point i along axis c: where it does not move, so much that the solution there is zero.
+inline double fixed_mass(const Plan& plan, Index i, int c) {
+  const std::vector<std::uint8_t>& fixed = plan.force_data.rollers.fixed;
+  return fixed.empty() || fixed[static_cast<std::size_t>(c) * plan.points + i] == 0 ? 0.0 : fixed_mass_ratio * plan.mass[i];
+}
+
 // For the packed springs in their order: use(first point, second point, packed index).
 template <class Use>
 void for_each_spring(const Plan& plan, const Use& use) {
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) use(run.first + e, run.second + e, run.begin + e);
 }
+
+// Loads, and the opposite of the sum of all other forces along the fixed axes of rollers (point_forces.cpp).
+extern const ForceTerm load_force, roller_force;
 
 // Compiles the structure and the values. O(springs log springs). Points keep their indices.
 Plan make_plan(const System& system);

@@ -56,6 +56,7 @@ double find_equilibrium(const Plan& plan, StiffnessMatrix& matrix, double tolera
     };
     if (!(residual < max_exact_residual * tolerance && factorize(Curvature::Exact)) && !factorize(Curvature::Clamped)) break;
     matrix.solve(f);
+    clear_fixed_axes(plan, f.data());
     const double scale = std::min(1.0, max_displacement / (b * b * max_abs(f)));
     for (std::size_t at = 0; at < x.size(); ++at) x[at] += scale * b * b * f[at];
     b = std::min(max_b, scale < 1.0 ? 0.5 * b : 2.0 * b);

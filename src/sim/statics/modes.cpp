@@ -68,6 +68,7 @@ Vector sqrt_mass(const Plan& plan) {
   for (int c = 0; c < plan.dimensions; ++c)
     for (Index i = 0; i < plan.points; ++i)
       sqrt_masses[static_cast<Eigen::Index>(c) * plan.points + i] = plan.inverse_mass[i] == 0.0 ? 0.0 : std::sqrt(plan.mass[i]);
+  clear_fixed_axes(plan, sqrt_masses.data());
   return sqrt_masses;
 }
 

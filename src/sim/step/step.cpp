@@ -33,9 +33,12 @@ HandMotion move_hand(const Plan& plan, const System& system, const State& state,
   }
   hand.speed = (glm::length(displacement) + glm::length(hand.collider_displacement)) / duration;
   if (plan.hand.held) {
-    const Vec3 velocity = displacement / duration, before = state.velocity[*plan.hand.held];
-    set_vector(plan, motion.v, *plan.hand.held, velocity);
-    motion.energy.add(EnergyCause::Hand, 0.5 * plan.hand.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before)));
+    const Index held = *plan.hand.held;
+    const Vec3 velocity = displacement / duration;
+    set_vector(plan, motion.v, held, velocity);
+    // what is along a fixed axis of a roller has no energy, as on nails
+    const Vec3 after = free_part(plan, held, velocity), before = free_part(plan, held, state.velocity[held]);
+    motion.energy.add(EnergyCause::Hand, 0.5 * plan.hand.held_mass * (glm::dot(after, after) - glm::dot(before, before)));
   }
   return hand;
 }

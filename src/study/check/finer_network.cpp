@@ -50,7 +50,7 @@ class NetworkRefinement {
 
   std::optional<FinerNetwork> run(Index max_points) {
     find_grids_of_springs();
-    if (fine_.empty() || system_.springs().have_laws()) return std::nullopt;
+    if (fine_.empty() || !std::ranges::all_of(system_.points(), &Point::is_plain) || system_.springs().have_laws()) return std::nullopt;
     place_points();
     if (points_.size() > static_cast<std::size_t>(max_points)) return std::nullopt;
     for (const Fine& fine : fine_) {

@@ -142,7 +142,7 @@ Scene make_kernel_scene(const KernelCase& row, int n, int substeps) {
   return scene;
 }
 
-KernelTime measure_kernel(const KernelCase& row, int n, bool quick) {
+KernelTime measure_kernel(const KernelCase& row, int n, bool quick, const std::shared_ptr<FrameDevice>& device) {
   const int frames = quick ? 2 : 6;
   const int substeps = row.step > 0.0 ? 1 : std::max(30, (quick ? 1'000'000 : 4'000'000) / (4 * n * n));
   Scene scene = make_kernel_scene(row, n, substeps);
@@ -150,10 +150,11 @@ KernelTime measure_kernel(const KernelCase& row, int n, bool quick) {
   Plan plan = make_plan(scene.system);
   if (row.threads > 1) plan.execution.team = std::make_shared<ThreadTeam>(row.threads);
   if (row.is_single) plan.execution.single = std::make_shared<SinglePrecision>();
+  plan.execution.device = device;
   // other threads take CPU time while they wait
   const auto now = [&] {
     const std::chrono::duration<double> real = std::chrono::steady_clock::now().time_since_epoch();
-    return row.threads > 1 ? real.count() : thread_cpu_seconds();
+    return row.threads > 1 || device != nullptr ? real.count() : thread_cpu_seconds();
   };
   FrameRunner frame;
   const auto take_frame = [&] {

@@ -1,12 +1,15 @@
 // The scenes of `bench --kernels`: cloths that differ in one feature of stepping each, and a jelly block.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 
 #include "scene/scene.h"
 
 namespace hooke {
+
+class FrameDevice;
 
 // What the time of a case is divided by, besides the springs.
 enum class KernelUnit { Step, ForceEvaluation, Sweep };
@@ -40,6 +43,7 @@ struct KernelTime {
   long points = 0, springs = 0;
   double seconds = 0.0;
 };
-KernelTime measure_kernel(const KernelCase& row, int n, bool quick);
+// `device`: computes the frames, in real time; it may throw UsageError.
+KernelTime measure_kernel(const KernelCase& row, int n, bool quick, const std::shared_ptr<FrameDevice>& device = nullptr);
 
 }  // namespace hooke

@@ -1,5 +1,6 @@
 // The selection and its properties, which can be edited for one item or for all.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -40,48 +41,70 @@ void point_row(const TypedField& field, PointProperty property, const Common<dou
   }
 }
 
-void place_row(const char* label, int axis, const Inspected& inspected, Panels& panels, Requests& requests) {
-  const State& state = inspected.snapshot.state;
-  const auto now = common(inspected.parts.points, [&](Index i) { return state.position[i][axis]; });
-  const TypedField field{.label = label,
-                         .unit = "m",
-                         .description = "A point that is moved keeps its velocity.",
-                         .min = -typed::max_length,
-                         .max = typed::max_length};
-  if (const auto value = typed_row(field_of(field, now), panels)) {
-    Move move;
-    for (const Index i : inspected.parts.points) {
-      Vec3 position = state.position[i];
-      position[axis] = *value;
-      move.items.push_back({inspected.point(i).id, position, state.velocity[i]});
+// A row for each component of a vector of these points: `read` of a point; `add` puts a new one into the command.
+template <class Set, class Read, class Add>
+void vector_rows(const std::array<const char*, 3>& labels, TypedField field, const std::vector<Index>& points, const Inspected& inspected,
+                 Panels& panels, Requests& requests, const Read& read, const Add& add) {
+  for (int axis = 0; axis < inspected.snapshot.system->dimensions; ++axis) {
+    field.label = labels[static_cast<std::size_t>(axis)];
+    field.min = -field.max;
+    ImGui::PushID(field.label.data());
+    // kept where there are no such points, so that rows stay in place
+    ImGui::BeginDisabled(points.empty());
+    const auto value = typed_row(field_of(field, common(points, [&](Index i) { return read(i)[axis]; })), panels);
+    ImGui::EndDisabled();
+    ImGui::PopID();
+    if (!value || points.empty()) continue;
+    Set set;
+    for (const Index i : points) {
+      Vec3 vector = read(i);
+      vector[axis] = *value;
+      add(set, inspected.point(i).id, i, vector);
     }
-    edit(std::move(move), panels, requests);
+    edit(std::move(set), panels, requests);
   }
 }
 
-// Of the free points among the selected ones.
-void velocity_row(const char* label, int axis, const Inspected& inspected, Panels& panels, Requests& requests) {
+void all_vector_rows(const Inspected& inspected, Panels& panels, Requests& requests) {
   const State& state = inspected.snapshot.state;
+  const std::vector<Index>& points = inspected.parts.points;
+  vector_rows<Move>(
+      {"Position x", "Position y", "Position z"},
+      {.unit = "m", .description = "A point that is moved keeps its velocity.", .max = typed::max_length}, points, inspected, panels,
+      requests, [&](Index i) { return state.position[i]; },
+      [&](Move& set, PointId id, Index i, const Vec3& position) {
+        set.items.push_back({id, position, state.velocity[i]});
+      });
   std::vector<Index> free;
-  std::ranges::copy_if(inspected.parts.points, std::back_inserter(free), [&](Index i) { return !inspected.point(i).nailed; });
-  const auto now = common(free, [&](Index i) { return state.velocity[i][axis]; });
-  const TypedField field{.label = label,
-                         .unit = "m/s",
-                         .description = "Alt+drag from a point in the scene sets it too.",
-                         .min = -typed::max_speed,
-                         .max = typed::max_speed};
-  // kept where all are nailed, so that rows stay in place
-  ImGui::BeginDisabled(free.empty());
-  const auto value = typed_row(field_of(field, now), panels);
-  ImGui::EndDisabled();
-  if (!value || free.empty()) return;
-  SetVelocity set;
-  for (const Index i : free) {
-    Vec3 velocity = state.velocity[i];
-    velocity[axis] = *value;
-    set.values.emplace_back(inspected.point(i).id, velocity);
+  std::ranges::copy_if(points, std::back_inserter(free), [&](Index i) { return !inspected.point(i).nailed; });
+  vector_rows<SetVelocity>(
+      {"Velocity x", "Velocity y", "Velocity z"},
+      {.unit = "m/s", .description = "Alt+drag from a point in the scene sets it too.", .max = typed::max_speed}, free, inspected, panels,
+      requests, [&](Index i) { return state.velocity[i]; },
+      [](SetVelocity& set, PointId id, Index, const Vec3& velocity) { set.values.emplace_back(id, velocity); });
+  vector_rows<SetLoad>(
+      {"Load x", "Load y", "Load z"}, {.unit = "N", .description = "A constant force on each selected point.", .max = typed::max_force},
+      points, inspected, panels, requests, [&](Index i) { return inspected.point(i).load; },
+      [](SetLoad& set, PointId id, Index, const Vec3& load) { set.values.emplace_back(id, load); });
+}
+
+void fixed_row(const Inspected& inspected, Panels& panels, Requests& requests) {
+  begin_row("Fixed along");
+  const char* names[] = {"x", "y", "z"};
+  for (int axis = 0; axis < inspected.snapshot.system->dimensions; ++axis) {
+    const auto now = common(inspected.parts.points, [&](Index i) { return inspected.point(i).is_fixed_along(axis); });
+    int bits = now.mixed ? 1 : now.value ? 3 : 0;
+    if (axis > 0) ImGui::SameLine();
+    const bool is_changed = ImGui::CheckboxFlags(names[axis], &bits, 3);
+    tooltip("A roller: the points do not move along this axis. What touches them does not push them");
+    if (!is_changed) continue;
+    SetFixedAxes set;
+    for (const Index i : inspected.parts.points) {
+      const int others = inspected.point(i).fixed_axes & ~(1 << axis);
+      set.values.emplace_back(inspected.point(i).id, static_cast<std::uint8_t>(others | (bits == 3 ? 1 << axis : 0)));
+    }
+    edit(std::move(set), panels, requests);
   }
-  edit(std::move(set), panels, requests);
 }
 
 void nailed_row(const Inspected& inspected, Panels& panels, Requests& requests) {
@@ -126,18 +149,7 @@ void color_row(const Inspected& inspected, Panels& panels, Requests& requests) {
 
 void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) {
   ImGui::PushID("points");
-  const char* names[] = {"Position x", "Position y", "Position z"};
-  for (int axis = 0; axis < inspected.snapshot.system->dimensions; ++axis) {
-    ImGui::PushID(axis);
-    place_row(names[axis], axis, inspected, panels, requests);
-    ImGui::PopID();
-  }
-  const char* velocities[] = {"Velocity x", "Velocity y", "Velocity z"};
-  for (int axis = 0; axis < inspected.snapshot.system->dimensions; ++axis) {
-    ImGui::PushID(velocities[axis]);
-    velocity_row(velocities[axis], axis, inspected, panels, requests);
-    ImGui::PopID();
-  }
+  all_vector_rows(inspected, panels, requests);
   ImGui::PushID("mass");
   point_row({.label = "Mass", .unit = "kg", .description = "Mass of each selected point.", .min = typed::min_mass, .max = typed::max_mass},
             PointProperty::Mass, inspected.parts.mass, inspected, panels, requests);
@@ -151,6 +163,7 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
             PointProperty::Radius, inspected.parts.radius, inspected, panels, requests);
   ImGui::PopID();
   nailed_row(inspected, panels, requests);
+  fixed_row(inspected, panels, requests);
   color_row(inspected, panels, requests);
   ImGui::PopID();
 }

@@ -117,14 +117,17 @@ void arrow_scales(const PanelInput& input, const Panels& panels, ImDrawList& lis
   std::optional<Arrows::Kind> last;
   for (const Arrows& arrows : input.marks->arrows) {
     if (arrows.kind == std::exchange(last, arrows.kind)) continue;
-    const bool is_force = arrows.kind == Arrows::Kind::Force;
+    const bool is_force = arrows.kind != Arrows::Kind::Velocity;
     const double value = round_below(units(90.0) * meters / arrows.scale);
     const auto length = static_cast<float>(value * arrows.scale / meters);
     const float x = static_cast<float>(scene.x) + units(16.0), head = units(6.0);
     const ImU32 color = to_imgui(is_force ? colors.force : colors.velocity);
     list.AddLine({x, y}, {x + length, y}, color, units(2.0));
     list.AddTriangleFilled({x + length, y}, {x + length - head, y - 0.6f * head}, {x + length - head, y + 0.6f * head}, color);
-    const std::string text = (is_force ? "force " : "velocity ") + quantity_text(value, is_force ? "N" : "m/s");
+    const std::string text = (!is_force                           ? "velocity "
+                              : arrows.kind == Arrows::Kind::Load ? "load "
+                                                                  : "force ") +
+                             quantity_text(value, is_force ? "N" : "m/s");
     list.AddText({x + length + units(8.0), y - 0.55f * ImGui::GetFontSize()}, palette::text, text.c_str());
     y -= units(20.0);
   }

@@ -47,7 +47,7 @@ void SurfaceSolver::start_frame(const Plan& plan) {
   inside_.reserve(points.size());
   local_.assign(plan.points, no_index);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    inverse_mass_[k] = plan.inverse_mass[points[k]];
+    inverse_mass_[k] = plan.inverse_mass_in_contact()[points[k]];
     local_[points[k]] = static_cast<Index>(k);
   }
   held_ = plan.hand.held ? local_[*plan.hand.held] : no_index;
@@ -141,7 +141,7 @@ bool SurfaceSolver::prevent_impacts(const Plan& plan, std::span<const Obstacle> 
   do {
     impacts_.prevent(plan.surface, detection_, inverse_mass_, x_, h, held_, std::span(u_).first(x_.size()));
   } while (!impacts_.has_failed() && stop_lowest(plan, obstacles, h));
-  for (const Index k : stopped_) inverse_mass_[k] = plan.inverse_mass[plan.surface.points[k]];
+  for (const Index k : stopped_) inverse_mass_[k] = plan.inverse_mass_in_contact()[plan.surface.points[k]];
   return !impacts_.has_failed();
 }
 

@@ -28,8 +28,10 @@ Energy compute_energy(const System& system, const State& state) {
 
 double kinetic_energy(const System& system, const State& state) {
   double energy = 0.0;
-  for (Index i = 0; i < system.point_count(); ++i)
-    if (!system.points()[i].nailed) energy += 0.5 * system.points()[i].mass * glm::dot(state.velocity[i], state.velocity[i]);
+  for (Index i = 0; i < system.point_count(); ++i) {
+    const Vec3 v = velocity_of(system.points()[i], state.velocity[i]);
+    energy += 0.5 * system.points()[i].mass * glm::dot(v, v);
+  }
   return energy;
 }
 
@@ -40,7 +42,7 @@ Momentum compute_momentum(const System& system, const State& state) {
   Momentum momentum;
   for (Index i = 0; i < system.point_count(); ++i) {
     if (system.points()[i].nailed) continue;
-    const Vec3 p = system.points()[i].mass * state.velocity[i];
+    const Vec3 p = system.points()[i].mass * velocity_of(system.points()[i], state.velocity[i]);
     momentum.linear += p;
     momentum.angular += glm::cross(state.position[i], p);
   }
@@ -75,17 +77,19 @@ Vec3 grabbed_position(const System& system, const State& state) {
 }
 
 double reference_energy(const System& system, const State& state) {
-  double mass = 0.0, max_rest_length = 0.0;
+  double mass = 0.0, loads = 0.0, max_rest_length = 0.0;
   Vec3 min(1e300), max(-1e300);
   for (Index i = 0; i < system.point_count(); ++i) {
     min = glm::min(min, state.position[i]);
     max = glm::max(max, state.position[i]);
-    if (!system.points()[i].nailed) mass += system.points()[i].mass;
+    if (system.points()[i].nailed) continue;
+    mass += system.points()[i].mass;
+    loads += glm::length(system.points()[i].load);
   }
   for (const Spring& spring : system.springs()) max_rest_length = std::max(max_rest_length, spring.rest_length);
   const double extent = system.point_count() > 0 ? std::max(glm::distance(min, max), max_rest_length) : 0.0;
   const double size = extent > 0.0 ? extent : 1.0;
-  return mass * glm::length(system.gravity) * size;
+  return (mass * glm::length(system.gravity) + loads) * size;
 }
 
 }  // namespace hooke

@@ -37,7 +37,7 @@ bool can_collapse(const System& system, const State& state);
 // Position of the grabbed point, or patch [m]. There must be a grab.
 Vec3 grabbed_position(const System& system, const State& state);
 
-// M g L [J]: mass of the free points times gravity times the size of the scene: the minimum of the supplied energy.
+// (M g + F) L [J]: mass of the free points times gravity, and their loads, times the size of the scene: the minimum of the supplied energy.
 // A scene without extent, such as a single point, counts as 1 m.
 double reference_energy(const System& system, const State& state);
 

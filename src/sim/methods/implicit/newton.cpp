@@ -130,9 +130,10 @@ void NewtonSolver::factorize(const Plan& plan, const Stage& stage, Curvature cur
 }
 
 // step_ = -A^-1 grad Phi
-void NewtonSolver::compute_step(Motion& motion) {
+void NewtonSolver::compute_step(const Plan& plan, Motion& motion) {
   set_scaled(step_.data(), -1.0, residual_.data(), step_.size());
   matrix_->solve(step_);
+  clear_fixed_axes(plan, step_.data());
   ++motion.counts.solves;
 }
 
@@ -187,7 +188,7 @@ void NewtonSolver::solve(const Plan& plan, const Stage& stage, const NewtonLimit
   Potential current = potential(plan, stage, x_, V), trial;
   for (int iteration = 0; iteration < limits.iterations; ++iteration) {
     if (matrix_is_stale && motion.counts.factorizations < max_factorizations) factorize(plan, stage, curvature, V, V, motion);
-    compute_step(motion);
+    compute_step(plan, motion);
 
     // remaining error after this step, from the contraction of the steps; where they no longer contract, it is round-off
     const double size = root_mean_square(plan, step_), round_off_level = round_off(plan, stage, V);
@@ -221,7 +222,7 @@ void NewtonSolver::solve_once(const Plan& plan, const Stage& stage, Field& V, Mo
   factorize(plan, stage, Curvature::Clamped, V, stage.v, motion);
   // f(x, V) = f(x, v) - D (V - v) of the listed forces
   matrix_->add_force_damping(plan, -stage.b, stage.v, residual_);
-  compute_step(motion);
+  compute_step(plan, motion);
   add_scaled(V.data(), 1.0, step_.data(), V.size());
 }
 

@@ -46,7 +46,7 @@ class NewtonSolver : public Structure {
   Potential potential(const Plan& plan, const Stage& stage, const Field& x, const Field& V) const;
   void evaluate(const Plan& plan, const Stage& stage, const Field& V, const Field* term_velocity, Motion& motion);
   void factorize(const Plan& plan, const Stage& stage, Curvature curvature, const Field& V, const Field& term_velocity, Motion& motion);
-  void compute_step(Motion& motion);
+  void compute_step(const Plan& plan, Motion& motion);
   double line_search(const Plan& plan, const Stage& stage, const Field& V, const Potential& current, Potential& trial);
   void restart_from_rest_if_lower(const Plan& plan, const Stage& stage, Field& V, Potential& current);
   double round_off(const Plan& plan, const Stage& stage, const Field& V) const;

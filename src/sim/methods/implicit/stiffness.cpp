@@ -127,7 +127,7 @@ void StiffnessMatrix::assemble(const Plan& plan, double b, const Field& x, const
   for (Index i = 0; i < plan.points; ++i) {
     const bool pulled = plan.hand.pull && plan.hand.pull->count == 1 && plan.hand.pull->parts[0].point == i && plan.inverse_mass[i] != 0.0;
     const double diagonal = plan.mass[i] * (1.0 + b * plan.drag) + (pulled ? b * b * plan.hand.pull->stiffness : 0.0);
-    for (int c = 0; c < plan.dimensions; ++c) diagonal_[i].column(c)[c] += diagonal;
+    for (int c = 0; c < plan.dimensions; ++c) diagonal_[i].column(c)[c] += diagonal + fixed_mass(plan, i, c);
     if (!is_linearized_ || plan.inverse_mass[i] == 0.0) continue;
     const glm::dmat3 block = tangent_.block(i, b);
     for (int c = 0; c < plan.dimensions; ++c)
