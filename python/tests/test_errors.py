@@ -92,7 +92,7 @@ refused = [
     (lambda: hooke.check_hard(1, threads=-1), "threads: -1: must be from 1 to 256", ""),
     (lambda: hooke.convert("two_masses", "a.foo"), "a.foo: must end in .json", ""),
     (lambda: hooke.replay("nowhere.hookelog"), "nowhere.hookelog: cannot be opened: No such file", ""),
-    (lambda: pair().capture("a.jpg"), "out: a.jpg: must end in .png or .mp4", ""),
+    (lambda: pair().capture("a.jpg"), "out: a.jpg: must end in .png, .mp4, .webp or .gif", ""),
     (lambda: pair().capture("a.png", size=(0, 10)), "size: 0x10: must be WIDTHxHEIGHT, each from 1 to 8192", ""),
     (lambda: pair().capture("a.png", size=(64, 40), ui=True), "size: 64x40: must be at least 320x180 with panels of this scale", ""),
     (lambda: pair().capture("a.png", camera=(0, 0)), "camera: 0.0,0.0: must be six numbers", ""),

@@ -42,7 +42,7 @@ double bytes_per_spring(int n, int frames) {
   return (peak - peak_memory({program, "--limits"})) / (4.0 * n * n - 6.0 * n + 2.0);
 }
 
-TEST(RunMemory, IsAtMost120BytesPerSpringOfALargeCloth) { EXPECT_LE(bytes_per_spring(1024, 3), 120.0); }
+TEST(RunMemory, IsAtMost125BytesPerSpringOfALargeCloth) { EXPECT_LE(bytes_per_spring(1024, 3), 125.0); }
 
 // A state of each second is kept for a search for a remedy, but not where such a search would not get as far.
 TEST(RunMemory, DoesNotGrowWithTimeInALargeNet) { EXPECT_NEAR(bytes_per_spring(320, 65), bytes_per_spring(320, 3), 6.0); }
