@@ -194,7 +194,6 @@ TEST(Capture, RefusesInOneLine) {
       {"two_masses --out a.png --camera 1,2,3,1,2,3", 2, "--camera 1,2,3,1,2,3:" + camera},
       {"two_masses --out a.png --camera nan,2,3,1,2,3", 2, "--camera nan,2,3,1,2,3:" + camera},
       {"two_masses --out a.jpg", 2, "--out a.jpg:" + out},
-      {"two_masses --out a.jpg", 2, "--out a.jpg:" + out},
       {"two_masses --out ''", 2, "--out :" + out},
       {"two_masses --out a.png --fps 61", 2, "--fps 61: must be at most the frame rate of the scene, 60\n"},
       {"two_masses --out a.png --seconds 1e300", 2, "--seconds 1e+300: must be at most 1e15 frames\n"},

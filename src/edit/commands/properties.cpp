@@ -16,36 +16,21 @@ bool same_ids(const std::vector<std::pair<Id, Value>>& a, const std::vector<std:
   return std::ranges::equal(a, b, {}, &std::pair<Id, Value>::first, &std::pair<Id, Value>::first);
 }
 
-// Sets a member of springs wherever they are valid with it. Returns the earlier values, the last one first.
-template <class Value>
-std::vector<std::pair<SpringId, Value>> exchange(Scene& scene, const std::vector<std::pair<SpringId, Value>>& values,
-                                                 Value Spring::*member) {
-  std::vector<std::pair<SpringId, Value>> earlier;
-  for (const auto& [spring, value] : values) {
-    const Index s = scene.system.index_of(spring);
-    if (s == no_index) continue;
-    Spring changed = scene.system.springs()[s];
-    changed.*member = value;
-    if (!is_valid(changed)) continue;
-    earlier.emplace_back(spring, scene.system.springs()[s].*member);
-    *scene.system.spring(s) = changed;
-  }
-  std::ranges::reverse(earlier);
-  return earlier;
-}
+const Point& item_at(const System& system, Index i, PointId) { return system.points()[i]; }
+const Spring& item_at(const System& system, Index s, SpringId) { return system.springs()[s]; }
+void put(System& system, Index i, const Point& point) { system.point(i) = point; }
+void put(System& system, Index s, const Spring& spring) { *system.spring(s) = spring; }
 
-// The same of points.
-template <class Value>
-std::vector<std::pair<PointId, Value>> exchange(Scene& scene, const std::vector<std::pair<PointId, Value>>& values, Value Point::*member) {
-  std::vector<std::pair<PointId, Value>> earlier;
-  for (const auto& [point, value] : values) {
-    const Index i = scene.system.index_of(point);
+// Sets a member of points or springs wherever they are valid with it. Returns the earlier values, the last one first.
+template <class Id, class Value, class Item>
+std::vector<std::pair<Id, Value>> exchange(Scene& scene, const std::vector<std::pair<Id, Value>>& values, Value Item::*member) {
+  std::vector<std::pair<Id, Value>> earlier;
+  for (const auto& [id, value] : values) {
+    const Index i = scene.system.index_of(id);
     if (i == no_index) continue;
-    Point changed = scene.system.points()[i];
-    changed.*member = value;
-    if (!is_valid(changed)) continue;
-    earlier.emplace_back(point, scene.system.points()[i].*member);
-    scene.system.point(i) = changed;
+    Item changed = item_at(scene.system, i, id);
+    earlier.emplace_back(id, std::exchange(changed.*member, value));
+    is_valid(changed) ? put(scene.system, i, changed) : earlier.pop_back();
   }
   std::ranges::reverse(earlier);
   return earlier;
