@@ -274,7 +274,7 @@ TEST_P(Layouts, PanelsAboutErrorsAreReadable) {
       .is_running = true, .fraction = 0.4, .seconds = 12.0, .result = std::make_shared<const MethodComparison>(compared_methods())};
   expect_in_order(gui, "comparison in progress", "Measuring the methods", build);
   comparison.is_running = false;
-  expect_in_order(gui, "comparison result", "Compare again", build);
+  expect_in_order(gui, "comparison result", "Again", build);
 }
 
 TEST_P(Layouts, TheBannerOfAFailedRunIsReadable) {

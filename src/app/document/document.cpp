@@ -186,7 +186,8 @@ std::string Document::stem() const {
   if (!file_.empty()) return file_.stem().string();
   std::string name = status().document->name;
   std::ranges::replace(name, '/', '_');
-  return name.empty() ? "untitled" : name;
+  constexpr std::size_t longest = 32;  // longer ones are sentences, and do not fit in the fields of paths
+  return name.empty() || name.size() > longest ? "untitled" : name;
 }
 
 std::filesystem::path Document::new_file_beside(const std::string& extension) const {

@@ -16,8 +16,8 @@ bool same_ids(const std::vector<std::pair<Id, Value>>& a, const std::vector<std:
   return std::ranges::equal(a, b, {}, &std::pair<Id, Value>::first, &std::pair<Id, Value>::first);
 }
 
-const Point& item_at(const System& system, Index i, PointId) { return system.points()[i]; }
-const Spring& item_at(const System& system, Index s, SpringId) { return system.springs()[s]; }
+Point item_at(const System& system, Index i, PointId) { return system.points()[i]; }
+Spring item_at(const System& system, Index s, SpringId) { return system.springs()[s]; }
 void put(System& system, Index i, const Point& point) { system.point(i) = point; }
 void put(System& system, Index s, const Spring& spring) { *system.spring(s) = spring; }
 

@@ -262,7 +262,7 @@ void buttons(const PanelInput& input, Panels& panels, Requests& requests) {
   const Settings& settings = input.status.snapshot->settings;
   if (status.is_running) {
     if (ImGui::Button("Cancel", {units(84.0), units(30.0)})) requests.emplace_back(StopComparison{});
-  } else if (ImGui::Button("Compare again", {units(118.0), units(30.0)})) {
+  } else if (ImGui::Button("Again", {units(50.0), units(30.0)})) {
     requests.emplace_back(Action::CompareMethods);
   }
   if (status.result && !status.result->record.rows.empty()) {
@@ -281,8 +281,8 @@ void buttons(const PanelInput& input, Panels& panels, Requests& requests) {
     }
     if (const Row* row = fastest(status.result->record, settings); row != nullptr && !status.is_running) {
       ImGui::SameLine();
-      if (ImGui::Button("Use the fastest", {units(124.0), units(30.0)})) use(*row, settings, requests);
-      tooltip("With an error below 10 %: " + setting_text(*row, settings.frame_rate));
+      if (ImGui::Button("Fastest", {units(62.0), units(30.0)})) use(*row, settings, requests);
+      tooltip("Use the fastest with an error below 10 %: " + setting_text(*row, settings.frame_rate));
     }
   }
   ImGui::SameLine(ImGui::GetWindowWidth() - units(64.0) - ImGui::GetStyle().WindowPadding.x);
