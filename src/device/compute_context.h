@@ -40,7 +40,7 @@ struct GlFunctions {
   // `find`: the address of a function by its name. False: one is missing.
   bool load(const std::function<void*(const char* name)>& find) {
     bool all = true;
-#define HOOKE_LOAD(name, type) all = (name = reinterpret_cast<PFNGL##type##PROC>(find("gl" #name))) != nullptr && all;
+#define HOOKE_LOAD(name, type) all = ((name) = reinterpret_cast<PFNGL##type##PROC>(find("gl" #name))) != nullptr && all;
     HOOKE_GL_FUNCTIONS(HOOKE_LOAD)
     return all;
   }

@@ -99,7 +99,7 @@ class SodaReader {
       if (springs.back().first == springs.back().second) refuse(link, "b", "must be another mass than a");
       if (kind_of(link) == "Muscle") springs.back().law = muscle(link);
     }
-    system.set_springs(std::move(springs));
+    system.set_springs(springs);
   }
 
   PointId end_of(const pugi::xml_node& link, const char* end) const {

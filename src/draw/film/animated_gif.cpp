@@ -55,7 +55,8 @@ class GifEncoder : public FilmEncoder {
     GifByteType block[4];
     check(EGifPutExtension(gif_, GRAPHICS_EXT_FUNC_CODE, static_cast<int>(EGifGCBToExtension(&control, block)), block));
     check(EGifPutImageDesc(gif_, 0, 0, picture.width, picture.height, false, colors_));
-    for (int y = 0; y < picture.height; ++y) check(EGifPutLine(gif_, &pixels[static_cast<std::size_t>(y * picture.width)], picture.width));
+    for (int y = 0; y < picture.height; ++y)
+      check(EGifPutLine(gif_, &pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width)], picture.width));
     out_.write(bytes_);
     bytes_.clear();
     before_ = picture;
