@@ -34,7 +34,7 @@ class GpuScene {
     int moment = 0;
     bool acts_predicted = false;
     int substep = 0, reused = -1;
-    Index first = 0, end = 0;  // of dashpots
+    Index first = 0, end = 0;  // the range of dashpots
   };
 
   void upload(const Plan& plan, const FrameSteps& steps, const Motion& motion);
@@ -57,12 +57,12 @@ class GpuScene {
   const bool is_single_;
   const GlFunctions* gl_ = nullptr;
   const Plan* plan_ = nullptr;
-  std::string definitions_;                 // of what the scene has
+  std::string definitions_;                 // one #define for each feature of the scene
   std::map<std::string, GLuint> programs_;  // by definitions and pass
   std::array<GLuint, bindings> buffers_{};
   std::array<GLuint, 3> states_{};  // in turn: the start of a substep is kept until contact has corrected its end
   int state_ = 0, start_ = 0;       // the present one, and that at the start of the substep
-  SweepLevels sweeps_;              // of methods that sweep over dashpots
+  SweepLevels sweeps_;              // for methods that sweep over dashpots
   // What the buffers contain, so that only what has changed is sent again.
   std::array<std::vector<std::byte>, bindings> contents_;
   std::vector<SpringRun> runs_;

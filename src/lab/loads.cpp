@@ -27,7 +27,7 @@ Loads compute_loads(const Lab& lab) {
   Field f = motion.x;
   compute_external_forces(plan, state.time, motion.x, motion.v, f);
   loads.external = unpacked(f);
-  // of nails, and of rollers along their fixed axes: the opposite of all forces but those of the rollers
+  // reactions of nails, and of rollers along their fixed axes: the opposite of all forces but those of the rollers
   compute_unlisted_forces(plan, state.time, motion.x, plan.has_dashpots() ? &motion.v : nullptr, f);
   for (const Force& force : plan.forces)
     if (force.term != &roller_force) force.term->add(plan, force.values, state.time, motion.x.data(), motion.v.data(), f.data());

@@ -61,7 +61,7 @@ class Document {
   // Whether the file is the user's own, not a shipped scene.
   bool has_own_file() const;
   std::string title() const;
-  // Of the files that are proposed: the name of its file, or its title.
+  // The stem of proposed file names: that of the present file, or the title.
   std::string stem() const;
   // A new file in the folder of the document, with its name.
   std::filesystem::path new_file_beside(const std::string& extension) const;

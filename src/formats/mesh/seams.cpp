@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-constexpr double gap_ratio = 1e-4;  // of the mean open edge, or a rounder number below: rounding of coordinates with about four digits
+constexpr double gap_ratio = 1e-4;  // relative to the mean open edge, rounded down: coordinates have about four digits
 constexpr std::size_t max_edges = 100'000;
 
 std::size_t count_t_junctions(const CleanMesh& mesh, const std::vector<std::array<Index, 2>>& edges, std::vector<Index> points,

@@ -233,8 +233,8 @@ class Importer {
     const double restitution = import_elasticity("contact");
     const auto nails = static_cast<std::size_t>(std::ranges::count_if(document_.masses, [](const XspMass& m) { return m.mass < 0.0; }));
     if (2 * nails <= document_.masses.size() - nails) return restitution;
-    const MostCommon of_nails = most_common(document_.masses, restitution, elasticity_of, true);
-    return 0.5 * (restitution + std::clamp(of_nails.value, 0.0, 1.0));
+    const MostCommon nail_elasticity = most_common(document_.masses, restitution, elasticity_of, true);
+    return 0.5 * (restitution + std::clamp(nail_elasticity.value, 0.0, 1.0));
   }
 
   // The defaults of new masses and springs.
