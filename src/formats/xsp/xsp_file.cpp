@@ -109,7 +109,7 @@ class Importer {
     if (count > 0)
       warn(pluralize(count, "spring connects", "springs connect") +
            " masses at the same position: no force between them until they separate");
-    system.set_springs(std::move(springs));
+    system.set_springs(springs);
   }
 
   void import_forces() {
