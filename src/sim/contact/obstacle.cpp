@@ -42,4 +42,13 @@ Vec3 relative_surface_velocity(const Obstacle& obstacle, const Vec3& normal, con
   return velocity;
 }
 
+double max_surface_speed(const Obstacle& obstacle, const Vec3& x, double h) {
+  const ColliderPath& path = obstacle.collider->path;
+  const double shape = std::max(glm::length(obstacle.velocity_at(0.0)), glm::length(obstacle.velocity_at(h)));
+  // the surface turns about the anchor of the shape
+  const double spin =
+      path.spin == Vec3(0.0) ? 0.0 : glm::length(path.spin) * glm::length(x - obstacle.offset - anchor_of(*obstacle.collider));
+  return shape + glm::length(obstacle.velocity_correction) + glm::length(path.belt) + spin;
+}
+
 }  // namespace hooke

@@ -32,4 +32,7 @@ bool may_touch(const Obstacle& obstacle, double radius, const Vec3& x0, const Ve
 // The velocity of the surface below a point at x, on the side of `normal`, relative to the shape: of a belt, or of a spin.
 Vec3 relative_surface_velocity(const Obstacle& obstacle, const Vec3& normal, const Vec3& x);
 
+// A bound on the speed [m/s] of the surface of an obstacle near x in a substep of h.
+double max_surface_speed(const Obstacle& obstacle, const Vec3& x, double h);
+
 }  // namespace hooke

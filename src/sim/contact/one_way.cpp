@@ -1,11 +1,9 @@
-#include "sim/contact/one_way.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "sim/contact/constants.h"
-#include "sim/contact/contact_work.h"
+#include "sim/contact/contact.h"
 #include "sim/contact/gap.h"
 
 namespace hooke {
@@ -77,11 +75,9 @@ bool follow(const Plan& plan, const Vec3& x0, const Vec3& v0, double radius, dou
 
 }  // namespace
 
-bool rebound_from_walls(const Plan& plan, ContactWorkspace& before, double h, Motion& motion) {
-  if (plan.one_way.empty()) return false;
-  double work = 0.0;
+bool rebound_from_walls(const Plan& plan, ContactWorkspace& before, double h, Motion& motion, double& work) {
   bool any = false;
-  for (Index i = 0; i < plan.points; ++i) {
+  for (Index i = 0; i < plan.points && !plan.one_way.empty(); ++i) {
     if (plan.inverse_mass_in_contact()[i] == 0.0) continue;
     const Vec3 x0 = vector_at(plan, before.x, i), v0 = vector_at(plan, before.v, i), x1 = vector_at(plan, motion.x, i),
                v1 = vector_at(plan, motion.v, i);
@@ -94,10 +90,8 @@ bool rebound_from_walls(const Plan& plan, ContactWorkspace& before, double h, Mo
     set_vector(plan, motion.x, i, path.x);
     set_vector(plan, motion.v, i, path.v);
   }
-  if (!any) return false;
-  before.first_touch = before.first_impact = 0.0;
-  book_contact_work(work, {}, motion);
-  return true;
+  if (any) before.first_touch = before.first_impact = 0.0;
+  return any;
 }
 
 }  // namespace hooke

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/contact_work.h"
-
 namespace hooke {
 namespace {
 
@@ -49,7 +47,7 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
     }
   }
   excess_ += std::max(0L, work - usual_work(plan.points));
-  write(plan, h, motion);
+  write(plan, motion);
   return simulation_.any_touched();
 }
 
@@ -129,13 +127,7 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
     const bool first = is_involved_[pair.i] != 0, second = is_involved_[pair.j] != 0;
     if (!first && !second) continue;
     if (first && second)
-      simulation_.touches.push_back({.first = path_of_[pair.i],
-                                     .second = path_of_[pair.j],
-                                     .point = pair.i,
-                                     .other = pair.j,
-                                     .distance = touching_distance(plan, pair),
-                                     .restitution = plan.pairs.restitution,
-                                     .friction = plan.pairs.friction});
+      simulation_.add_pair(path_of_[pair.i], path_of_[pair.j], touching_distance(plan, pair), plan.pairs);
     else
       watched_.push_back(first ? pair : PointPair{pair.j, pair.i});
   }
@@ -184,24 +176,14 @@ bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
-void PairSolver::write(const Plan& plan, double h, Motion& motion) {
-  double impulses = 0.0, speed = 0.0;  // [N s], [m/s]
+void PairSolver::write(const Plan& plan, Motion& motion) {
   work_ = 0.0;
-  bool is_held = false;
   for (const PointPath& path : simulation_.paths) {
-    const Index i = path.point;
-    is_held = is_held || plan.hand.held == i;
     if (!path.is_changed) continue;
-    const Vec3 v1 = vector_at(plan, motion.v, i), v = path.v - path.velocity_correction;
     work_ += path.contact_work();
-    impulses += plan.mass[i] * (glm::length(v - v1) + h * glm::length(path.free_acceleration));
-    set_vector(plan, motion.x, i, path.x);
-    set_vector(plan, motion.v, i, v);
+    set_vector(plan, motion.x, path.point, path.x);
+    set_vector(plan, motion.v, path.point, path.v - path.velocity_correction);
   }
-  if (plan.collider_paths.any_moves)
-    for (const Touch& touch : simulation_.touches)
-      if (touch.obstacle != nullptr) speed = std::max(speed, max_surface_speed(*touch.obstacle, simulation_.paths[touch.first].x, h));
-  supplied_ = {.by_hand = is_held ? impulses * held_speed(plan, motion) : 0.0, .by_colliders = impulses * speed};
 }
 
 }  // namespace hooke

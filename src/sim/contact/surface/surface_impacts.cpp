@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "sim/contact/constants.h"
+#include "sim/contact/surface/surface_contacts.h"
 
 namespace hooke {
 namespace {
@@ -56,26 +57,11 @@ void SurfaceImpacts::respond(const MeetingFeatures& pair, std::span<const double
   FourPoints at;
   for (int c = 0; c < 4; ++c) at[c] = x[pair.points[c]] + time * u[pair.points[c]];
   const Closest closest = closest_points(pair.kind, at);
-  double response = 0.0, fastest = 0.0;
-  Vec3 relative(0.0), drive(0.0);
-  for (int c = 0; c < 4; ++c) {
-    const double change = closest.weight[c] * inverse_mass[pair.points[c]];
-    const Vec3 velocity = closest.weight[c] * u[pair.points[c]];
-    response += closest.weight[c] * change;
-    fastest = std::max(fastest, std::abs(change));
-    relative += velocity;
-    if (pair.points[c] == held) drive += velocity;
-  }
-  if (response == 0.0 || !(closest.distance > 0.0)) return;
-  const Vec3 normal = closest.separation / closest.distance;
-  double impulse = -glm::dot(normal, relative) / response;
-  if (drive != Vec3(0.0))
-    impulse = std::min(impulse, contact::max_leverage * std::max(std::abs(glm::dot(normal, drive)), -glm::dot(normal, relative)) / fastest);
-  if (!(impulse > 0.0)) return;
-  for (int c = 0; c < 4; ++c) {
-    u[pair.points[c]] += inverse_mass[pair.points[c]] * closest.weight[c] * impulse * normal;
-    if (pair.points[c] == held) held_impulse_ += std::abs(closest.weight[c]) * impulse;
-  }
+  SurfaceContact contact{.points = pair.points, .weight = closest.weight};
+  if (!(closest.distance > 0.0) || !contact.weigh(inverse_mass)) return;
+  contact.law.normal = closest.separation / closest.distance;
+  contact.limit(inverse_mass, held, u);
+  contact.apply(contact.law.solve(contact.relative(u)), inverse_mass, u);
 }
 
 // From now on these points, with all that already move together with them, have the same velocity: their mean, or that of a fixed one.
@@ -105,9 +91,7 @@ bool SurfaceImpacts::join(const std::array<Index, 4>& points, std::span<const do
   }
   const Vec3 velocity = has_fixed ? fixed : momentum / mass;
   for (std::size_t k = 0; k < n; ++k) {
-    if (zone_[k] != first || inverse_mass[k] == 0.0) continue;
-    if (has_fixed) held_impulse_ += glm::length(u[k] - velocity) / inverse_mass[k];
-    u[k] = velocity;
+    if (zone_[k] == first && inverse_mass[k] != 0.0) u[k] = velocity;
   }
   return true;
 }

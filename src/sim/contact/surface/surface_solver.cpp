@@ -7,7 +7,6 @@
 
 #include "sim/contact/constants.h"
 #include "sim/contact/pair_solver.h"
-#include "sim/forces/energy/plan_energy.h"
 
 namespace hooke {
 
@@ -123,11 +122,11 @@ void SurfaceSolver::add_obstacle(const Plan& plan, const Obstacle& obstacle, Ind
     const double path = glm::dot(gap.normal, u_[point] - u_[surface]);
     contacts_.paths.push_back({.points = {point, point, surface, surface},
                                .weight = {1.0, 0.0, -1.0, 0.0},
-                               .normal = gap.normal,
+                               .law = {.normal = gap.normal,
+                                       .mass = 1.0 / inverse_mass_[point],
+                                       .friction = obstacle.collider->friction,
+                                       .target = path - std::max(0.0, gap.distance) / h},
                                .thickness = plan.surface.max_thickness,
-                               .mass = 1.0 / inverse_mass_[point],
-                               .friction = obstacle.collider->friction,
-                               .target = path - std::max(0.0, gap.distance) / h,
                                .gap = gap.distance - h * path,
                                .pair = SurfaceContact::obstacle + number,
                                .kind = FeaturePair::TwoEdges});
@@ -181,7 +180,7 @@ void SurfaceSolver::find_rebounds(const Plan& plan, const Field& v0, double h, c
     double path = 0.0, before = 0.0, after = 0.0, supplied = 0.0;  // [m/s], along the normal
     for (int c = 0; c < 4; ++c) {
       const Index k = contact.points[c], i = plan.surface.points[k];
-      const Vec3 weighted_normal = contact.weight[c] * contact.normal, start = vector_at(plan, v0, i);
+      const Vec3 weighted_normal = contact.weight[c] * contact.law.normal, start = vector_at(plan, v0, i);
       path += glm::dot(weighted_normal, free_u_[k]);
       before += glm::dot(weighted_normal, start);
       after += glm::dot(weighted_normal, vector_at(plan, motion.v, i));
@@ -189,39 +188,27 @@ void SurfaceSolver::find_rebounds(const Plan& plan, const Field& v0, double h, c
     }
     const double part = path < 0.0 ? std::clamp(-contact.gap / (h * path), 0.0, 1.0) : 1.0;
     const double ahead = velocity_lag_ * supplied, approach = -(before + part * (after - before) + ahead);
-    if (approach > slow * std::abs(supplied)) contact.target = e * approach - ahead;
+    if (approach > slow * std::abs(supplied)) contact.law.target = e * approach - ahead;
   }
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
 void SurfaceSolver::write(const Plan& plan, const Field& v0, double h, Motion& motion) {
-  // where the strain limit has moved points, contact moves them back, against springs whose force changes on the way
-  const double energy = is_limited_ ? mechanical_energy(plan, motion.time, motion) : 0.0;
-  double work = 0.0, lag_work = 0.0;
+  double lag_work = 0.0;
+  work_ = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const Index i = plan.surface.points[k];
     const Vec3 v1 = vector_at(plan, motion.v, i);
     if (inverse_mass_[k] == 0.0 || (u_[k] == free_u_[k] && velocity_[k] == v1)) continue;
     const Vec3 supplied = free_velocity_[k] - vector_at(plan, v0, i);
     const double kinetic = 0.5 * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1));
-    work += plan.mass[i] * (kinetic - glm::dot(supplied, u_[k] - free_u_[k]));
+    work_ += plan.mass[i] * (kinetic - glm::dot(supplied, u_[k] - free_u_[k]));
     lag_work += plan.mass[i] * velocity_lag_ * glm::dot(supplied, velocity_[k] - v1);
     add_vector(plan, motion.x, i, h * (u_[k] - free_u_[k]));
     set_vector(plan, motion.v, i, velocity_[k]);
   }
-  if (is_limited_) work = mechanical_energy(plan, motion.time, motion) - energy;
-  book_contact_work(work, supplied_work(plan, motion), motion);
   // impulses act at the velocity that belongs to the position; what the hand and colliders supply is part of the energy of the state
-  motion.energy.add(EnergyCause::Contact, lag_work);
-}
-
-// Impulses on the held point are bounded one by one: near it, they may be far larger than what the other points of a feature take of them.
-SuppliedWork SurfaceSolver::supplied_work(const Plan& plan, const Motion& motion) const {
-  const auto points = static_cast<Index>(x_.size()), end = static_cast<Index>(u_.size());
-  SuppliedWork supplied{.by_colliders = contacts_.max_work(points, end, velocity_)};
-  if (plan.hand.held)
-    supplied.by_hand = impacts_.held_impulse() * held_speed(plan, motion) + contacts_.max_work(held_, held_ + 1, velocity_);
-  return supplied;
+  if (!is_limited_) motion.energy.add(EnergyCause::Contact, lag_work);
 }
 
 }  // namespace hooke

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "sim/contact/contact_work.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_search.h"
 #include "sim/contact/surface/surface_contacts.h"
@@ -33,6 +32,8 @@ class SurfaceSolver {
   // to them does not press them into each other. Returns whether anything touched.
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0, const Field& v0,
                double h, Motion& motion);
+  // [J], of contact in the substep, in addition to that of the forces; unless the strain limit has changed velocities.
+  double work() const { return work_; }
   // Whether the last call gave up: there are too many pairs, or impacts.
   bool has_failed() const { return has_failed_; }
 
@@ -50,12 +51,12 @@ class SurfaceSolver {
   bool stop_lowest(const Plan& plan, std::span<const Obstacle> obstacles, double h);
   void find_rebounds(const Plan& plan, const Field& v0, double h, const Motion& motion);
   void write(const Plan& plan, const Field& v0, double h, Motion& motion);
-  SuppliedWork supplied_work(const Plan& plan, const Motion& motion) const;
 
   SurfaceDetection detection_;
   SurfaceContacts contacts_;
   SurfaceImpacts impacts_;
   double velocity_lag_ = 0.0;  // [1], of the method (integrator.h)
+  double work_ = 0.0;          // [J]
   bool is_limited_ = false, has_failed_ = false;
   Index held_ = no_index;             // the held point
   std::vector<Index> local_;          // per point of the scene: of the surface; no_index: not on it
