@@ -95,7 +95,7 @@ void solve_point(const Plan& plan, Index i, double h, TouchSimulation& simulatio
   simulation.begin_frame();
   simulation.add_point(plan, i, x0, vector_at(plan, before.v, i), vector_at(plan, motion.x, i), v1, h);
   simulation.add_obstacles(before.obstacles, h);
-  for (std::size_t o = 0; o < before.obstacles.size(); ++o) simulation.add_touch(0, before.obstacles, o, plan.radius[i]);
+  for (std::size_t o = 0; o < before.obstacles.size(); ++o) simulation.add_touch(0, before.obstacles[o], o, plan.radius[i]);
   simulation.leave_obstacles();
   PointPath& path = simulation.paths.front();
   path.start_x = path.x;
@@ -188,8 +188,11 @@ bool resolve_all(const Plan& plan, ContactWorkspace& before, Motion& motion, dou
   touched = rebound_from_walls(plan, before, h, motion, work) || touched;
   if (touched && !before.is_limited && before.works != nullptr) before.works->end_point_contact(plan, h, motion);
   const std::span<const PointPair> near = plan.pairs.on ? before.pairs.near() : std::span<const PointPair>();
-  if (plan.surface.on && before.surface.resolve(plan, before.obstacles, near, before.x, before.v, h, motion)) {
+  const SurfaceSolver::Start start{before.x, before.v, before.is_limited ? before.unlimited_v : before.free_v, before.velocity_lag};
+  if (plan.surface.on && before.surface.resolve(plan, before.obstacles, near, start, h, motion)) {
     work += before.surface.work();
+    // what the hand and colliders supply is part of the energy of the state
+    if (!before.is_limited) motion.energy.add(EnergyCause::Contact, before.surface.lag_work());
     touched = true;
     before.first_touch = 0.0;
   }
@@ -204,7 +207,6 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   before.first_touch = before.first_impact = never;
   if (before.velocity_lag != 0.0 && plan.collider_paths.any_moves) follow_planes(plan, before, h, motion);
   keep_on_planes(plan, before.time + h, motion);
-  if (plan.surface.on) before.surface.begin_substep(plan, before.velocity_lag, before.is_limited ? &before.unlimited_v : nullptr, motion);
   const double energy = before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
   double work = 0.0, push = 0.0;
   if (!resolve_all(plan, before, motion, h, work, push)) return false;

@@ -127,7 +127,8 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
     const bool first = is_involved_[pair.i] != 0, second = is_involved_[pair.j] != 0;
     if (!first && !second) continue;
     if (first && second)
-      simulation_.add_pair(path_of_[pair.i], path_of_[pair.j], touching_distance(plan, pair), plan.pairs);
+      simulation_.add_pair(path_of_[pair.i], path_of_[pair.j], touching_distance(plan, pair), plan.pairs.restitution,
+                           plan.pairs.friction);
     else
       watched_.push_back(first ? pair : PointPair{pair.j, pair.i});
   }
@@ -143,7 +144,7 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
           h * (glm::length(obstacle.velocity_at(0.0)) + glm::length(obstacle.velocity_at(h)) + glm::length(obstacle.velocity_correction));
       const Vec3 position = vector_at(plan, x0, i) - obstacle.offset_at(0.0);
       if (gap_to(*obstacle.collider, plan.radius[i], position).distance > margin_[i] + moved) continue;
-      simulation_.add_touch(p, obstacles, o, plan.radius[i]);
+      simulation_.add_touch(p, obstacle, o, plan.radius[i]);
     }
   }
 }

@@ -80,38 +80,30 @@ void TouchSimulation::add_point(const Plan& plan, Index i, const Vec3& x0, const
 
 void TouchSimulation::add_obstacles(std::span<const Obstacle> obstacles, double h) {
   first_obstacle_ = paths.size();
+  Index number = -1;
   for (const Obstacle& obstacle : obstacles)
-    paths.push_back({.x = obstacle.offset,
+    paths.push_back({.point = --number,
+                     .x = obstacle.offset,
                      .v = obstacle.velocity + obstacle.velocity_correction,
                      .a = obstacle.acceleration,
                      .velocity_correction = obstacle.velocity_correction,
                      .velocity_change = h * glm::length(obstacle.acceleration)});
 }
 
-void TouchSimulation::add_pair(std::size_t first, std::size_t second, double distance, const PairPlan& plan) {
+void TouchSimulation::add_pair(std::size_t first, std::size_t second, double distance, double restitution, double friction) {
+  const double response = paths[first].inverse_mass + paths[second].inverse_mass;
   touches.push_back({.first = first,
                      .second = second,
                      .point = paths[first].point,
                      .other = paths[second].point,
                      .distance = distance,
-                     .restitution = plan.restitution,
-                     .law = law_between(first, second, plan.friction)});
+                     .restitution = restitution,
+                     .law = {.mass = response > 0.0 ? 1.0 / response : 0.0, .friction = friction}});
 }
 
-ContactLaw TouchSimulation::law_between(std::size_t first, std::size_t second, double friction) const {
-  const double response = paths[first].inverse_mass + paths[second].inverse_mass;
-  return {.mass = response > 0.0 ? 1.0 / response : 0.0, .friction = friction};
-}
-
-void TouchSimulation::add_touch(std::size_t path, std::span<const Obstacle> obstacles, std::size_t obstacle, double radius) {
-  touches.push_back({.first = path,
-                     .second = first_obstacle_ + obstacle,
-                     .obstacle = &obstacles[obstacle],
-                     .point = paths[path].point,
-                     .other = -2 - static_cast<Index>(obstacle),
-                     .distance = radius,
-                     .restitution = obstacles[obstacle].collider->restitution,
-                     .law = law_between(path, first_obstacle_ + obstacle, obstacles[obstacle].collider->friction)});
+void TouchSimulation::add_touch(std::size_t path, const Obstacle& obstacle, std::size_t number, double radius) {
+  add_pair(path, first_obstacle_ + number, radius, obstacle.collider->restitution, obstacle.collider->friction);
+  touches.back().obstacle = &obstacle;
 }
 
 void TouchSimulation::begin(const SurfacePlan& plan, double h) {

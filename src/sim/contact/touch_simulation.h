@@ -21,7 +21,7 @@ inline constexpr double never = std::numeric_limits<double>::infinity();  // [s]
 
 // The path of a point, or of an obstacle, through a substep: a parabola from `time` on.
 struct PointPath {
-  Index point = no_index;
+  Index point = no_index;         // of an obstacle, from -2 down
   double inverse_mass = 0.0;      // [1/kg]; 0: it follows its path whatever it touches
   double time = 0.0;              // [s], since the start of the substep
   Vec3 x{0.0}, v{0.0}, a{0.0};    // [m], [m/s], [m/s^2]
@@ -119,9 +119,9 @@ class TouchSimulation {
   // The path of a point through a step of h [s] from (x0, v0) to (x1, v1), with its mean acceleration.
   void add_point(const Plan& plan, Index i, const Vec3& x0, const Vec3& v0, const Vec3& x1, const Vec3& v1, double h);
   // Adds what two paths may touch at this distance [m]; the paths of obstacles, after all points; then what a path and an obstacle may.
-  void add_pair(std::size_t first, std::size_t second, double distance, const PairPlan& plan);
+  void add_pair(std::size_t first, std::size_t second, double distance, double restitution, double friction);
   void add_obstacles(std::span<const Obstacle> obstacles, double h);
-  void add_touch(std::size_t path, std::span<const Obstacle> obstacles, std::size_t obstacle, double radius);
+  void add_touch(std::size_t path, const Obstacle& obstacle, std::size_t number, double radius);
 
   // Moves points out of obstacles, each along the normal.
   void leave_obstacles();
@@ -147,7 +147,6 @@ class TouchSimulation {
   double first_impact() const { return first_impact_; }
 
  private:
-  ContactLaw law_between(std::size_t first, std::size_t second, double friction) const;
   void start(double h);
   void find_resting();
   void rest();

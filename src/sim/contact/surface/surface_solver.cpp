@@ -16,14 +16,6 @@ void SurfaceSolver::begin_frame() {
   impacts_.begin_frame();
 }
 
-void SurfaceSolver::begin_substep(const Plan& plan, double velocity_lag, const Field* unlimited, const Motion& motion) {
-  velocity_lag_ = velocity_lag;
-  is_limited_ = unlimited != nullptr;
-  free_velocity_.resize(plan.surface.points.size());
-  for (std::size_t k = 0; k < free_velocity_.size(); ++k)
-    free_velocity_[k] = vector_at(plan, unlimited != nullptr ? *unlimited : motion.v, plan.surface.points[k]);
-}
-
 // Returns whether all are finite: what is not has diverged.
 bool SurfaceSolver::load(const Plan& plan, const Field& x0, double h, const Motion& motion) {
   const std::size_t n = plan.surface.points.size();
@@ -53,10 +45,10 @@ void SurfaceSolver::start_frame(const Plan& plan) {
   detection_.begin_frame(plan.surface, x_);
 }
 
-bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0,
-                            const Field& v0, double h, Motion& motion) {
+bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Start& start,
+                            double h, Motion& motion) {
   has_failed_ = false;
-  if (!load(plan, x0, h, motion)) return false;
+  if (!load(plan, start.x, h, motion)) return false;
   if (!detection_.is_begun()) start_frame(plan);
   const std::size_t n = x_.size();
   inverse_mass_.resize(n);
@@ -92,10 +84,10 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
   // velocities at the end
   velocity_ = u_;
   for (std::size_t k = 0; k < n; ++k) velocity_[k] = vector_at(plan, motion.v, plan.surface.points[k]) + (u_[k] - free_u_[k]);
-  find_rebounds(plan, v0, h, motion);
+  find_rebounds(plan, start, h, motion);
   contacts_.solve_ends(step(), u_, velocity_);
   motion.counts.contact_impulses += contacts_.impulses;
-  write(plan, v0, h, motion);
+  write(plan, start, h, motion);
   return true;
 }
 
@@ -171,7 +163,7 @@ bool SurfaceSolver::stop_lowest(const Plan& plan, std::span<const Obstacle> obst
 
 // The velocity after an impact is e times that with which the path first touches. The velocities of the method that belong to positions are
 // ahead of it by its lag. What approaches slowly, or completes its further bounces, 2 e v / (a (1 - e)) long, within a substep, rests.
-void SurfaceSolver::find_rebounds(const Plan& plan, const Field& v0, double h, const Motion& motion) {
+void SurfaceSolver::find_rebounds(const Plan& plan, const Start& start, double h, const Motion& motion) {
   const double e = plan.surface.restitution;
   if (e == 0.0) return;
   const double slow = std::max(contact::rest_speed, 0.5 * (1.0 - e) / e);
@@ -180,35 +172,32 @@ void SurfaceSolver::find_rebounds(const Plan& plan, const Field& v0, double h, c
     double path = 0.0, before = 0.0, after = 0.0, supplied = 0.0;  // [m/s], along the normal
     for (int c = 0; c < 4; ++c) {
       const Index k = contact.points[c], i = plan.surface.points[k];
-      const Vec3 weighted_normal = contact.weight[c] * contact.law.normal, start = vector_at(plan, v0, i);
+      const Vec3 weighted_normal = contact.weight[c] * contact.law.normal, v0 = vector_at(plan, start.v, i);
       path += glm::dot(weighted_normal, free_u_[k]);
-      before += glm::dot(weighted_normal, start);
+      before += glm::dot(weighted_normal, v0);
       after += glm::dot(weighted_normal, vector_at(plan, motion.v, i));
-      supplied += glm::dot(weighted_normal, free_velocity_[k] - start);
+      supplied += glm::dot(weighted_normal, vector_at(plan, start.free_v, i) - v0);
     }
     const double part = path < 0.0 ? std::clamp(-contact.gap / (h * path), 0.0, 1.0) : 1.0;
-    const double ahead = velocity_lag_ * supplied, approach = -(before + part * (after - before) + ahead);
+    const double ahead = start.velocity_lag * supplied, approach = -(before + part * (after - before) + ahead);
     if (approach > slow * std::abs(supplied)) contact.law.target = e * approach - ahead;
   }
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
-void SurfaceSolver::write(const Plan& plan, const Field& v0, double h, Motion& motion) {
-  double lag_work = 0.0;
-  work_ = 0.0;
+void SurfaceSolver::write(const Plan& plan, const Start& start, double h, Motion& motion) {
+  work_ = lag_work_ = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const Index i = plan.surface.points[k];
     const Vec3 v1 = vector_at(plan, motion.v, i);
     if (inverse_mass_[k] == 0.0 || (u_[k] == free_u_[k] && velocity_[k] == v1)) continue;
-    const Vec3 supplied = free_velocity_[k] - vector_at(plan, v0, i);
+    const Vec3 supplied = vector_at(plan, start.free_v, i) - vector_at(plan, start.v, i);
     const double kinetic = 0.5 * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1));
     work_ += plan.mass[i] * (kinetic - glm::dot(supplied, u_[k] - free_u_[k]));
-    lag_work += plan.mass[i] * velocity_lag_ * glm::dot(supplied, velocity_[k] - v1);
+    lag_work_ += plan.mass[i] * start.velocity_lag * glm::dot(supplied, velocity_[k] - v1);
     add_vector(plan, motion.x, i, h * (u_[k] - free_u_[k]));
     set_vector(plan, motion.v, i, velocity_[k]);
   }
-  // impulses act at the velocity that belongs to the position; what the hand and colliders supply is part of the energy of the state
-  if (!is_limited_) motion.energy.add(EnergyCause::Contact, lag_work);
 }
 
 }  // namespace hooke
