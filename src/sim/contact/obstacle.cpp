@@ -29,11 +29,6 @@ std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double 
   return obstacles;
 }
 
-bool may_touch(const Obstacle& obstacle, double radius, const Vec3& x0, const Vec3& x1, double bulge, double h) {
-  const double more = 0.125 * h * h * glm::length(obstacle.acceleration);
-  return may_touch(*obstacle.collider, radius, x0 - obstacle.offset, x1 - obstacle.offset_at(h), bulge + more);
-}
-
 Vec3 relative_surface_velocity(const Obstacle& obstacle, const Vec3& normal, const Vec3& x) {
   const ColliderPath& path = obstacle.collider->path;
   Vec3 velocity = tangential(normal, path.belt);

@@ -51,7 +51,8 @@ class PairSolver {
   struct FreeMotion {
     Vec3 displacement{0.0};  // [m]
     double deviation = 0.0;  // [m], from the straight line, and what contact at rest reaches
-    double reach = 0.0;      // [m], bound on the distance from its start
+    double impact = 0.0;     // [m], a bound on how far impacts lead away from that
+    double reach() const { return glm::length(displacement) + deviation + impact; }  // [m], from its start
   };
 
   bool measure(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, const Motion& motion);
@@ -66,11 +67,10 @@ class PairSolver {
   std::vector<PointPair> pairs_, near_;
   Field found_at_;              // positions at which they were found
   std::vector<double> margin_;  // [m], per point: up to which distance from there they are all; empty: not found in this frame
-  std::vector<double> wanted_, extent_;
+  std::vector<double> extent_;
   std::vector<FreeMotion> free_;
   std::vector<char> is_involved_;
   std::vector<std::size_t> path_of_;  // per point
-  std::vector<PointPair> watched_;    // the first is involved, the second is not
   TouchSimulation simulation_;
   long excess_ = 0;  // work of earlier substeps of the frame, beyond what is usual
   bool has_failed_ = false;

@@ -54,15 +54,14 @@ void SurfaceContacts::begin_frame() {
 }
 
 void SurfaceContacts::make(const Step& step, const SurfaceDetection& detection) {
-  paths.clear();
-  touching.clear();
+  all.clear();
   list_ = detection.list_number();
   const double slack = contact::slack * step.plan.max_thickness;
   for (const NearFeatures& near : detection.near()) {
     const Vec3 normal = near.closest.separation / near.closest.distance;
     const double gap = near.closest.distance - near.contact;
     if (!(gap + step.h * glm::dot(normal, relative_vector(near.points, near.closest.weight, step.u)) < slack)) continue;
-    SurfaceContact& contact = paths.emplace_back();
+    SurfaceContact& contact = all.emplace_back();
     contact.points = near.points;
     contact.weight = near.closest.weight;
     contact.law.normal = normal;
@@ -78,7 +77,7 @@ void SurfaceContacts::add_points(const Step& step, Index i, Index j, double dist
   const Vec3 separation = step.x[i] - step.x[j];
   const double length = glm::length(separation);
   if (length <= contact::coincident * distance) return;
-  add(step, paths.emplace_back(SurfaceContact{.points = {i, i, j, j},
+  add(step, all.emplace_back(SurfaceContact{.points = {i, i, j, j},
                                               .weight = {1.0, 0.0, -1.0, 0.0},
                                               .law = {.normal = separation / length},
                                               .thickness = distance,
@@ -101,7 +100,7 @@ void SurfaceContacts::add(const Step& step, SurfaceContact& contact) {
     constexpr double min_cosine = 0.9;
     if (glm::dot(arm, contact.law.normal) > min_cosine * length) contact.law.normal = arm / length;
   }
-  if (!contact.weigh(step.inverse_mass)) return paths.pop_back();
+  if (!contact.weigh(step.inverse_mass)) return all.pop_back();
   contact.law.friction = step.plan.friction;
   if (contact.gap >= 0.0) {
     contact.law.target = -contact.gap / step.h;
@@ -143,7 +142,7 @@ void SurfaceContacts::recall(const Step& step) {
   const bool is_same_list = list_ == last_list_;
   if (!is_same_list) std::ranges::sort(last_, {}, of_points);
   auto next = last_.begin();
-  for (SurfaceContact& contact : paths) {
+  for (SurfaceContact& contact : all) {
     const SurfaceKey key = key_of(contact);
     if (is_same_list)
       while (next != last_.end() && in_list(next->key) < in_list(key)) ++next;
@@ -157,11 +156,11 @@ void SurfaceContacts::recall(const Step& step) {
 
 void SurfaceContacts::remember(const Step& step) {
   last_.clear();
-  for (std::size_t k = 0; k < touching.size(); ++k) {
-    const SurfaceContact& contact = touching[k];
-    const ContactImpulse &all = contact.law.impulse, &path = path_impulses_[k];
-    if (all.normal > 0.0 || path.normal > 0.0)
-      last_.push_back({key_of(contact), path, {all.normal - path.normal, all.friction - path.friction}});
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const SurfaceContact& contact = all[k];
+    const ContactImpulse &total = contact.law.impulse, &path = path_impulses_[k];
+    if (total.normal > 0.0 || path.normal > 0.0)
+      last_.push_back({key_of(contact), path, {total.normal - path.normal, total.friction - path.friction}});
   }
   last_list_ = list_;
   last_h_ = step.h;
@@ -169,17 +168,15 @@ void SurfaceContacts::remember(const Step& step) {
 
 void SurfaceContacts::solve_paths(const Step& step, std::span<Vec3> u) {
   recall(step);
-  for (const SurfaceContact& contact : paths)
+  for (const SurfaceContact& contact : all)
     if (contact.law.impulse.normal > 0.0) contact.apply(contact.law.impulse.total(contact.law.normal), step.inverse_mass, u);
-  sweep(step, paths, u);
+  sweep(step, all, u);
   // features turn on their way
-  const auto may_touch = [&](const SurfaceContact& contact) {
+  std::erase_if(all, [&](const SurfaceContact& contact) {
     const double end = contact.gap + step.h * glm::dot(contact.law.normal, contact.relative(u));
-    return end < contact::slack * contact::slack * contact.thickness;
-  };
-  for (const SurfaceContact& contact : paths)
-    if (contact.law.impulse.normal > 0.0 || may_touch(contact)) touching.push_back(contact);
-  for (SurfaceContact& contact : touching) contact.law.target = 0.0, contact.law.max_push = std::numeric_limits<double>::infinity();
+    return contact.law.impulse.normal == 0.0 && !(end < contact::slack * contact::slack * contact.thickness);
+  });
+  for (SurfaceContact& contact : all) contact.law.target = 0.0, contact.law.max_push = std::numeric_limits<double>::infinity();
 }
 
 // The contacts where their features are at the end of the paths.
@@ -190,19 +187,19 @@ void SurfaceContacts::move(const Step& step, std::span<const Vec3> u) {
     if (contact.law.impulse.normal == 0.0 && gap > contact::coincident * contact.thickness)
       contact.law.target = -std::numeric_limits<double>::infinity();
   };
-  const std::size_t features = count_features(touching);
-  for (SurfaceContact& contact : std::span(touching).subspan(features))
+  const std::size_t features = count_features(all);
+  for (SurfaceContact& contact : std::span(all).subspan(features))
     leave_apart(contact, contact.gap + step.h * glm::dot(contact.law.normal, contact.relative(u)));
   for (std::size_t from = 0; from < features; from += static_cast<std::size_t>(block_.count)) {
-    const FeaturePair kind = touching[from].kind;
+    const FeaturePair kind = all[from].kind;
     for (block_.count = 0; block_.count < FeatureBlock::capacity; ++block_.count) {
       const std::size_t k = from + static_cast<std::size_t>(block_.count);
-      if (k == features || touching[k].kind != kind) break;
-      block_.points[block_.count] = touching[k].points;
+      if (k == features || all[k].kind != kind) break;
+      block_.points[block_.count] = all[k].points;
     }
     find_closest(kind, end_x_, block_);
     for (int i = 0; i < block_.count; ++i) {
-      SurfaceContact& contact = touching[from + static_cast<std::size_t>(i)];
+      SurfaceContact& contact = all[from + static_cast<std::size_t>(i)];
       const Closest closest = block_.closest(i);
       leave_apart(contact, closest.distance - contact.thickness);
       if (!(closest.distance > 0.0)) continue;
@@ -219,7 +216,7 @@ void SurfaceContacts::solve_ends(const Step& step, std::span<const Vec3> u, std:
   const double factor = last_h_ > 0.0 ? step.h / last_h_ : 0.0;
   move(step, u);
   path_impulses_.clear();
-  for (SurfaceContact& contact : touching) {
+  for (SurfaceContact& contact : all) {
     const ContactImpulse before = path_impulses_.emplace_back(contact.law.impulse);
     if (contact.last == no_index || std::isinf(contact.law.target)) continue;
     const ContactImpulse end = last_[contact.last].end.scaled(factor, contact.law.normal);
@@ -227,7 +224,7 @@ void SurfaceContacts::solve_ends(const Step& step, std::span<const Vec3> u, std:
     contact.law.impulse = {std::max(0.0, before.normal + end.normal), before.friction + end.friction};
     contact.apply(contact.law.impulse.total(contact.law.normal) - before.total(contact.law.normal), step.inverse_mass, velocity);
   }
-  sweep(step, touching, velocity);
+  sweep(step, all, velocity);
   remember(step);
 }
 

@@ -84,9 +84,9 @@ class SurfaceContacts {
   // For the next substep; solve_ends does so, too.
   void remember(const Step& step);
 
-  std::vector<SurfaceContact> paths;     // of the paths; those of obstacles after all others, in ascending order
-  std::vector<SurfaceContact> touching;  // those of them that exert impulses or may touch at the end, and then those at the end
-  long impulses = 0;                     // computed, since it was set
+  // Those of obstacles after all others, in ascending order; after solve_paths, those alone that exert impulses or may touch at the end.
+  std::vector<SurfaceContact> all;
+  long impulses = 0;  // computed, since it was set
 
  private:
   void add(const Step& step, SurfaceContact& contact);

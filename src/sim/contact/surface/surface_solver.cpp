@@ -64,11 +64,11 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
   };
   contacts_.impulses = 0;
   contacts_.make(step(), detection_);
-  if (!contacts_.paths.empty())
+  if (!contacts_.all.empty())
     for (const PointPair& pair : near)
       if (const Index i = local_[pair.i], j = local_[pair.j]; i != no_index && j != no_index)
         contacts_.add_points(step(), i, j, touching_distance(plan, pair));
-  if (contacts_.paths.empty() && detection_.meeting().empty()) {
+  if (contacts_.all.empty() && detection_.meeting().empty()) {
     contacts_.remember(step());
     return false;
   }
@@ -93,7 +93,7 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
 
 void SurfaceSolver::mark_points() {
   is_marked_.assign(x_.size(), 0);
-  for (const SurfaceContact& contact : contacts_.paths)
+  for (const SurfaceContact& contact : contacts_.all)
     for (const Index k : contact.points) is_marked_[k] = 1;
 }
 
@@ -112,7 +112,7 @@ void SurfaceSolver::add_obstacle(const Plan& plan, const Obstacle& obstacle, Ind
     u_.push_back(velocity + relative_surface_velocity(obstacle, gap.normal, position));
     inverse_mass_.push_back(0.0);
     const double path = glm::dot(gap.normal, u_[point] - u_[surface]);
-    contacts_.paths.push_back({.points = {point, point, surface, surface},
+    contacts_.all.push_back({.points = {point, point, surface, surface},
                                .weight = {1.0, 0.0, -1.0, 0.0},
                                .law = {.normal = gap.normal,
                                        .mass = 1.0 / inverse_mass_[point],
@@ -167,7 +167,7 @@ void SurfaceSolver::find_rebounds(const Plan& plan, const Start& start, double h
   const double e = plan.surface.restitution;
   if (e == 0.0) return;
   const double slow = std::max(contact::rest_speed, 0.5 * (1.0 - e) / e);
-  for (SurfaceContact& contact : contacts_.touching) {
+  for (SurfaceContact& contact : contacts_.all) {
     if (contact.is_on_obstacle()) break;
     double path = 0.0, before = 0.0, after = 0.0, supplied = 0.0;  // [m/s], along the normal
     for (int c = 0; c < 4; ++c) {
