@@ -168,7 +168,7 @@ TEST(SurfaceTree, FindsAllPairsWithinReachOnce) {
     SurfaceTree tree;
     tree.build(plan, x);
     SurfacePairs pairs;
-    EXPECT_TRUE(tree.find_pairs(plan, x, reach, std::vector<char>(x.size()), 1'000'000, pairs));
+    EXPECT_TRUE(tree.find_pairs(plan, x, reach, std::vector<LeftOut>(x.size()), 1'000'000, pairs));
     EXPECT_EQ(pairs[0].size() + pairs[1].size(), expected) << reach;
   }
 }

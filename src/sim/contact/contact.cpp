@@ -127,24 +127,6 @@ void solve_block(const Plan& plan, std::size_t number, double h, TouchSimulation
     if (before.outcome[i] == RestingPoints::Open) solve_point(plan, static_cast<Index>(i), h, simulation, before, motion, touches);
 }
 
-// Points that sticky planes accelerate at the start of the substep. Methods whose velocities lag lead them behind planes that move, by half
-// of what these are accelerated within it, where contact would count as an impact what is none.
-void follow_planes(const Plan& plan, const ContactWorkspace& before, double h, Motion& motion) {
-  for (const StickyContact& contact : plan.force_data.sticky.held) {
-    const Index i = contact.point;
-    const auto k = static_cast<std::size_t>(contact.collider);
-    const auto& plane = std::get<Plane>(plan.colliders[k].shape);
-    const double acceleration = glm::dot(plane.normal, plan.colliders[k].path.acceleration(before.time));
-    const double own = glm::dot(plane.normal, vector_at(plan, motion.a, i));
-    if (std::abs(own - acceleration) > 1e-9 * std::abs(acceleration)) continue;
-    const double end = before.time + h, height = glm::dot(plane.normal, plane.point + plan.offset_of(k, end)) + plan.radius[i];
-    const double distance = height - glm::dot(plane.normal, vector_at(plan, motion.x, i));
-    const double speed = glm::dot(plane.normal, plan.velocity_of(k, end) - vector_at(plan, motion.v, i));
-    add_vector(plan, motion.x, i, distance * plane.normal);
-    add_vector(plan, motion.v, i, speed * plane.normal);
-  }
-}
-
 // All points. Adds the work of contact in addition to that of the forces, and of pushes out of obstacles. Returns whether anything touched.
 bool resolve_points(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, double& work, double& push) {
   if (before.obstacles.empty()) return false;
@@ -205,7 +187,6 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   before.free_v = motion.v;
   find_obstacles(plan, before.time, h, before.obstacles);
   before.first_touch = before.first_impact = never;
-  if (before.velocity_lag != 0.0 && plan.collider_paths.any_moves) follow_planes(plan, before, h, motion);
   keep_on_planes(plan, before.time + h, motion);
   const double energy = before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
   double work = 0.0, push = 0.0;

@@ -33,9 +33,10 @@ void SurfaceDetection::begin_frame(const SurfacePlan& plan, std::span<const Vec3
   const std::vector<Crossing> crossings = tree_.find_crossings(plan, x).found;
   crossings_ = static_cast<long>(crossings.size());
   for (const Crossing& crossing : crossings) {
-    left_out_.resize(x.size(), 0);
-    for (const Index i : plan.edges[crossing.edge]) left_out_[i] = 1;
-    for (const Index i : plan.pieces[crossing.face].points) left_out_[i] = 1;
+    left_out_.resize(x.size(), LeftOut::Nothing);
+    const LeftOut what = plan.is_spring[crossing.edge] != 0 ? LeftOut::Springs : LeftOut::All;
+    for (const Index i : plan.edges[crossing.edge]) left_out_[i] = std::max(left_out_[i], what);
+    for (const Index i : plan.pieces[crossing.face].points) left_out_[i] = std::max(left_out_[i], what);
   }
   x_.assign(x.begin(), x.end());
   reach_ = 0.0;

@@ -66,7 +66,7 @@ class SurfaceDetection {
 
   double relative_margin_;
   SurfaceTree tree_;
-  std::vector<char> left_out_;  // per point, whether it is on what is crossed at the start of the frame; empty: nothing is
+  std::vector<LeftOut> left_out_;  // per point, by what is crossed at the start of the frame; empty: nothing is
   SurfacePairs pairs_;
   std::array<std::vector<double>, 2> keys_;  // [m], of each pair: the distance when it was measured, plus the travel of that time
   double reach_ = 0.0, travel_ = 0.0;        // [m]: pairs up to the first are listed; by the second, distances have changed since at most

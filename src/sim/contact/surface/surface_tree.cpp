@@ -59,6 +59,7 @@ void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
   piece_points_.clear();
   edge_ends_.clear();
   is_face_.clear();
+  is_on_face_.clear();
   const auto begin_piece = [&] {
     first_corner_.push_back(static_cast<Index>(corners_.size()));
     first_edge_.push_back(static_cast<Index>(edges_.size()));
@@ -68,7 +69,10 @@ void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
     begin_piece();
     piece_points_.push_back(piece.points);
     is_face_.push_back(piece.is_face ? 1 : 0);
-    for (Index c = piece.first_corner; c < piece.end_corner; ++c) corners_.push_back(plan.corners[c]);
+    for (Index c = piece.first_corner; c < piece.end_corner; ++c) {
+      corners_.push_back(plan.corners[c]);
+      is_on_face_.push_back(piece.is_face ? 1 : 0);  // a face owns all its points that are on springs as well
+    }
     for (Index e = piece.first_edge; e < piece.end_edge; ++e) {
       edges_.push_back(e);
       edge_ends_.push_back(plan.edges[e]);
@@ -114,10 +118,11 @@ SurfaceBox SurfaceTree::fit_features(std::span<const Vec3> x, const BoxRange& pi
 
 // Those whose boxes are closer than `reach`.
 void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach,
-                               std::span<const char> left_out, SurfacePairs& pairs) const {
+                               std::span<const LeftOut> left_out, SurfacePairs& pairs) const {
   ClosePairs room;
-  const auto is_out = [&](std::span<const Index> points) {
-    return !left_out.empty() && std::ranges::any_of(points, [&](Index i) { return left_out[i] != 0; });
+  const auto is_out = [&](bool has_spring, std::span<const Index> points) {
+    const LeftOut least = has_spring ? LeftOut::Springs : LeftOut::All;
+    return !left_out.empty() && std::ranges::any_of(points, [&](Index i) { return left_out[i] >= least; });
   };
   const auto append = [&](FeaturePair kind, const std::array<Index, 4>& points, const std::array<Index, 2>& features) {
     pairs[static_cast<std::size_t>(kind)].push_back({kind, points, features});
@@ -127,7 +132,7 @@ void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const
       const std::array corner{corners_[c]};
       const auto& face = piece_points_[p];
       if (is_face_[p] == 0 || share_point(corner, face) || (!plan.close.empty() && plan.excludes_face(corner[0], face))) continue;
-      if (is_out(corner) && is_out(face)) continue;
+      if (is_out(is_on_face_[c] == 0, corner) && is_out(is_on_face_[c] == 0, face)) continue;
       append(FeaturePair::PointFace, {corner[0], face[0], face[1], face[2]}, {tree_.order()[p], no_index});
     }
   };
@@ -137,8 +142,9 @@ void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const
   const bool has_links = !plan.close.empty() || !plan.joined.empty() || !plan.radius.empty();
   for (const auto& [e, f] : find_close(boxes_of(Edge, first), boxes_of(Edge, second), reach, room)) {
     const EdgeEnds &one = edge_ends_[e], &other = edge_ends_[f];
+    const bool has_spring = (plan.is_spring[edges_[e]] | plan.is_spring[edges_[f]]) != 0;
     if (share_point(one, other) || (has_links && plan.excludes_edge(edges_[e], edges_[f]))) continue;
-    if (is_out(one) && is_out(other)) continue;
+    if (is_out(has_spring, one) && is_out(has_spring, other)) continue;
     // spheres first
     const bool is_sphere = other[0] == other[1];
     const EdgeEnds &a = is_sphere ? other : one, &b = is_sphere ? one : other;
@@ -146,7 +152,7 @@ void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const
   }
 }
 
-bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
+bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out,
                              std::size_t max_pairs, SurfacePairs& pairs) const {
   for (std::vector<SurfacePair>& each : pairs) each.clear();
   // those that were found last, without those that are too far apart

@@ -30,6 +30,9 @@ struct Crossings {
   bool is_complete = true;  // false: so many pieces are close to each other that the search ended
 };
 
+// How far the features at a point are left alone: pairs of an edge, or a point, that is on no face, or all.
+enum class LeftOut : char { Nothing, Springs, All };
+
 class SurfaceTree {
  public:
   // Sorts the pieces by their places, x per point of the plan. O(n log n).
@@ -40,10 +43,10 @@ class SurfaceTree {
   // Points have moved to x.
   void refit(std::span<const Vec3> x);
 
-  // Sets `pairs` to the pairs of features that do not belong together, without those with points on both sides that are left out (not 0;
-  // empty: none are), if they are closer than `reach` [m]. They are found in an order that depends on the last `build` alone: with a longer reach, others come
+  // Sets `pairs` to the pairs of features that do not belong together, without those with points on both sides that are left out
+  // (empty: none are), if they are closer than `reach` [m]. They are found in an order that depends on the last `build` alone: with a longer reach, others come
   // in between. False if there would be more than max_pairs.
-  bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out, std::size_t max_pairs,
+  bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out, std::size_t max_pairs,
                   SurfacePairs& pairs) const;
   // Edges that pass through faces, without springs that others join to the face: they may pass its edges.
   Crossings find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const;
@@ -57,7 +60,7 @@ class SurfaceTree {
   SurfaceBox fit_features(std::span<const Vec3> x, const BoxRange& pieces);
   BoxSet boxes_of(Feature feature, const Node& leaf) const;
   std::span<const std::array<Index, 2>> find_close(const BoxSet& first, const BoxSet& second, double reach, ClosePairs& room) const;
-  void append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const char> left_out,
+  void append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const LeftOut> left_out,
                     SurfacePairs& pairs) const;
 
   BoxTree tree_;  // of the pieces
@@ -66,8 +69,9 @@ class SurfaceTree {
   std::vector<Index> corners_, edges_, first_corner_, first_edge_;
   std::vector<std::array<Index, 3>> piece_points_;
   std::vector<EdgeEnds> edge_ends_;
-  std::vector<char> is_face_;   // per piece
-  std::vector<double> radius_;  // [m], per point of the plan, of spheres; empty: there are none
+  std::vector<char> is_face_;     // per piece
+  std::vector<char> is_on_face_;  // per corner
+  std::vector<double> radius_;    // [m], per point of the plan, of spheres; empty: there are none
   std::array<SurfaceBoxes, 3> boxes_;
 };
 
