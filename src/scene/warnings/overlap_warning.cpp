@@ -30,8 +30,7 @@ std::optional<std::string> close_start_warning(const System& system, const State
   std::array<Index, 4> deepest{};
   bool is_face = false;
   for (const SurfacePair& pair : pairs | std::views::join) {
-    const double thickness = plan.thickness_of(pair.points), distance = pair.distance,
-                 separation = distance + plan.radius_of(pair.points);
+    const double thickness = plan.thickness_of(pair.points), distance = pair.distance, separation = distance + plan.radius_of(pair.points);
     // bent sheets touch at a quarter of it
     if (distance >= thickness / 8.0) continue;
     if (separation < contact::coincident * plan.max_thickness) {

@@ -50,8 +50,8 @@ double sum_of(std::span<const double> numbers) {
   return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
 }
 
-// [J], bounds on the work of the hand and of colliders by contact in a substep. What exerts an impulse J while it moves at V does work of at
-// most |J| |V|, whatever the method makes of the step.
+// [J], bounds on the work of the hand and of colliders by contact in a substep. What exerts an impulse J while it moves at V does work of
+// at most |J| |V|, whatever the method makes of the step.
 struct SuppliedWork {
   double by_hand = 0.0, by_colliders = 0.0;
 };

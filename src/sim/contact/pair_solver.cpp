@@ -116,10 +116,12 @@ bool PairSolver::involve_pairs(const Plan& plan, const Field& x0) {
     if (distance <= touching_distance(plan, pair) + reach + contact_tolerance(Vec3(distance))) near_.push_back(pair);
   }
   for (const PointPair& pair : near_) {
+    // at least so much that points in a heap, which push each other, seldom get farther
     const double approach = glm::length(free_[pair.i].displacement - free_[pair.j].displacement);
+    const double impact = std::max(2.0 * approach, touching_distance(plan, pair) / 16.0);
     for (const Index i : {pair.i, pair.j}) {
       is_involved_[i] = 1;
-      free_[i].impact = std::max(free_[i].impact, 2.0 * approach);
+      free_[i].impact = std::max(free_[i].impact, impact);
     }
   }
   return !near_.empty();

@@ -163,7 +163,8 @@ void TouchSimulation::solve_velocities(std::optional<double> time, double tolera
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
     const PointPath &first = paths[touch.first], &second = paths[touch.second];
-    touch.surface = time ? relative_surface_velocity(touch, touch.law.normal, first.x - second.x + *time * (first.v - second.v)) : Vec3(0.0);
+    touch.surface =
+        time ? relative_surface_velocity(touch, touch.law.normal, first.x - second.x + *time * (first.v - second.v)) : Vec3(0.0);
   }
   solve_impulses(active_, tolerance, velocity_);
   constexpr double rounding = 1e-12;
@@ -255,8 +256,8 @@ void TouchSimulation::rest() {
     Touch& touch = touches[k];
     const Vec3 v =
         paths[touch.first].v - paths[touch.first].velocity_correction - paths[touch.second].v + paths[touch.second].velocity_correction;
-    touch.law.normal =
-        glm::normalize(touch.law.normal + 0.5 * h_ * touch.curvature * tangential(touch.law.normal, v + 0.5 * h_ * relative_path(touch, 0.0).a));
+    touch.law.normal = glm::normalize(touch.law.normal + 0.5 * h_ * touch.curvature *
+                                                             tangential(touch.law.normal, v + 0.5 * h_ * relative_path(touch, 0.0).a));
     reset(k, std::min(0.0, -2.0 * std::max(0.0, touch.gap) / h_ - glm::dot(touch.law.normal, v)));
   }
   recall_loads();

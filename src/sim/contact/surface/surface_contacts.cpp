@@ -78,12 +78,12 @@ void SurfaceContacts::add_points(const Step& step, Index i, Index j, double dist
   const double length = glm::length(separation);
   if (length <= contact::coincident * distance) return;
   add(step, all.emplace_back(SurfaceContact{.points = {i, i, j, j},
-                                              .weight = {1.0, 0.0, -1.0, 0.0},
-                                              .law = {.normal = separation / length},
-                                              .thickness = distance,
-                                              .gap = length - distance,
-                                              .pair = SurfaceContact::two_points,
-                                              .kind = FeaturePair::TwoEdges}));
+                                            .weight = {1.0, 0.0, -1.0, 0.0},
+                                            .law = {.normal = separation / length},
+                                            .thickness = distance,
+                                            .gap = length - distance,
+                                            .pair = SurfaceContact::two_points,
+                                            .kind = FeaturePair::TwoEdges}));
 }
 
 // The mass of the spring that removes overlaps is that of the contact, and never more than what accelerates its points as it says.

@@ -22,8 +22,8 @@ class SurfaceImpacts {
                double h, Index held, std::span<Vec3> u);
   // Whether the last call gave up: it takes too much work, or there are too many pairs.
   bool has_failed() const { return has_failed_; }
-  long impacts() const { return impacts_; }              // in this frame
-  long distances() const { return distances_; }          // computed in this substep
+  long impacts() const { return impacts_; }      // in this frame
+  long distances() const { return distances_; }  // computed in this substep
 
  private:
   void respond(const MeetingFeatures& pair, std::span<const double> inverse_mass, std::span<const Vec3> x, double time, Index held,

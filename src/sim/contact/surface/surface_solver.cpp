@@ -113,15 +113,15 @@ void SurfaceSolver::add_obstacle(const Plan& plan, const Obstacle& obstacle, Ind
     inverse_mass_.push_back(0.0);
     const double path = glm::dot(gap.normal, u_[point] - u_[surface]);
     contacts_.all.push_back({.points = {point, point, surface, surface},
-                               .weight = {1.0, 0.0, -1.0, 0.0},
-                               .law = {.normal = gap.normal,
-                                       .mass = 1.0 / inverse_mass_[point],
-                                       .friction = obstacle.collider->friction,
-                                       .target = path - std::max(0.0, gap.distance) / h},
-                               .thickness = plan.surface.max_thickness,
-                               .gap = gap.distance - h * path,
-                               .pair = SurfaceContact::obstacle + number,
-                               .kind = FeaturePair::TwoEdges});
+                             .weight = {1.0, 0.0, -1.0, 0.0},
+                             .law = {.normal = gap.normal,
+                                     .mass = 1.0 / inverse_mass_[point],
+                                     .friction = obstacle.collider->friction,
+                                     .target = path - std::max(0.0, gap.distance) / h},
+                             .thickness = plan.surface.max_thickness,
+                             .gap = gap.distance - h * path,
+                             .pair = SurfaceContact::obstacle + number,
+                             .kind = FeaturePair::TwoEdges});
   }
 }
 

@@ -44,8 +44,8 @@ class SurfaceTree {
   void refit(std::span<const Vec3> x);
 
   // Sets `pairs` to the pairs of features that do not belong together, without those with points on both sides that are left out
-  // (empty: none are), if they are closer than `reach` [m]. They are found in an order that depends on the last `build` alone: with a longer reach, others come
-  // in between. False if there would be more than max_pairs.
+  // (empty: none are), if they are closer than `reach` [m]. They are found in an order that depends on the last `build` alone: with a
+  // longer reach, others come in between. False if there would be more than max_pairs.
   bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out, std::size_t max_pairs,
                   SurfacePairs& pairs) const;
   // Edges that pass through faces, without springs that others join to the face: they may pass its edges.
