@@ -55,15 +55,17 @@ bool FrameRuns::have_impacts() const {
 }
 
 double FrameRuns::error(const System& system, const Integrator& method) const {
-  const int order = have_events() ? 1 : std::min(control::max_counted_order, order_of(system, method, ends_[0]));
-  const double reduction = std::ldexp(1.0, order);
-  const auto error_of = [&](const FrameEnd& coarse, const FrameEnd& fine) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double reduction = std::ldexp(1.0, have_events() ? 1 : order_of(system, method, ends_[0]));
+  const auto distance = [&](const FrameEnd& coarse, const FrameEnd& fine) {
     const bool agree = coarse.is_finite && fine.is_finite && coarse.broken == fine.broken;
-    if (!agree) return std::numeric_limits<double>::infinity();
-    return weighted_distance(system, coarse.position, fine.position, 1.0 / (reduction - 1.0)).rms;
+    return agree ? weighted_distance(system, coarse.position, fine.position, 1.0).rms : infinity;
   };
-  const double last = error_of(ends_[1], ends_[0]);
-  return count_ > 2 && runs_needed(method) > 2 ? std::max(last, error_of(ends_[2], ends_[1]) / reduction) : last;
+  const double last = distance(ends_[1], ends_[0]);
+  if (count_ < 3 || runs_needed(method) < 3) return last / (std::min(reduction, control::max_assumed_reduction) - 1.0);
+  const double before = distance(ends_[2], ends_[1]);
+  const double observed = before < reduction * last ? std::max(before / last, control::min_reduction) : reduction;
+  return std::max(last, before / reduction) / (observed - 1.0);
 }
 
 double FrameRuns::velocity_error(const System& system) const {

@@ -25,8 +25,8 @@ void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& s
 // The order with which the error of such a frame falls: that of the method on this scene, but 1 where something touched or broke.
 int order_of(const System& system, const Integrator& method, const FrameEnd& end);
 
-// How many runs an estimate takes: a pair shows the error of a method of second order, which is close to its asymptotic range at the
-// tolerances of an interactive program; those of higher order often are not, and a third run shows it.
+// How many runs an estimate takes at most: a pair shows the error of a method of second order, which is close to its asymptotic range at
+// the tolerances of an interactive program; those of higher order often are not, and a third run shows it.
 int runs_needed(const Integrator& method);
 
 // The substeps of the first run of a frame whose last one takes so many.
@@ -45,9 +45,9 @@ class FrameRuns {
   bool have_events() const;
   bool have_impacts() const;
   // RMS error [m] of the finest over the free points, from at least two runs:
-  //   |x(n) - x(n/2)| / (2^p - 1)     (Richardson)
-  // with p = 2 at most, and not less than the same of the two runs before, divided by 2^p. Infinity if one of them failed, or if springs
-  // broke in only one of them.
+  //   |x(n) - x(n/2)| / (q - 1)     (Richardson)
+  // q is 2^p, but at most 4, for two runs. For three it is the factor by which the differences fell, from 2 to 2^p; and the last difference
+  // counts as at least the one before it, divided by 2^p. Infinity if a run failed, or if springs broke in only one of them.
   double error(const System& system, const Integrator& method) const;
   // The same of the velocities [m/s], of the last two runs.
   double velocity_error(const System& system) const;
