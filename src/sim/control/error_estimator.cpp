@@ -13,6 +13,34 @@
 #include "sim/step/divergence.h"
 
 namespace hooke {
+namespace {
+
+bool acts(const Plan& plan, const LawSpring& spring, const State& state) {
+  const double length = glm::distance(state.position[spring.first], state.position[spring.second]);
+  return response_of(spring, plan.spring.laws.clock, state.time, length).of.acts;
+}
+
+// Whether the ends of a spring passed each other so closely that its force nearly jumped to the opposite direction.
+bool has_flipped(const Vec3& before, const Vec3& after) {
+  const Vec3 path = after - before;
+  if (!(glm::dot(before, after) < 0.0)) return false;
+  const Vec3 closest = before - glm::dot(before, path) / glm::dot(path, path) * path;
+  return glm::length(closest) < control::max_turn * std::min(glm::length(before), glm::length(after));
+}
+
+}  // namespace
+
+bool has_kink(const Plan& plan, const State& start, const State& end) {
+  const auto& springs = plan.spring.laws.springs;
+  if (std::ranges::any_of(springs, [&](const LawSpring& spring) { return acts(plan, spring, start) != acts(plan, spring, end); }))
+    return true;
+  for (const SpringRun& run : plan.spring.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const Index i = run.first + e, j = run.second + e;
+      if (has_flipped(start.position[j] - start.position[i], end.position[j] - end.position[i])) return true;
+    }
+  return false;
+}
 
 void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& start, State& scratch) {
   scratch = start;
@@ -20,7 +48,7 @@ void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& s
   end.position = scratch.position;
   end.velocity = scratch.velocity;
   end.broken.assign(frame.broken().begin(), frame.broken().end());
-  end.has_touched = frame.has_touched();
+  end.has_touched = frame.has_touched() || has_kink(plan, start, scratch);
   end.has_impact = frame.has_impact();
   end.is_finite = frame.failure() == StepFailure::None && is_finite(scratch);
 }

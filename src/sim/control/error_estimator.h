@@ -13,11 +13,14 @@ namespace hooke {
 
 // Where a frame ended that was computed with one number of substeps.
 struct FrameEnd {
-  std::vector<Vec3> position, velocity;  // [m], [m/s]
-  std::vector<Index> broken;             // springs, indices in the System
-  bool has_touched = false, has_impact = false;
-  bool is_finite = false;  // no step failed, and every coordinate is a number
+  std::vector<Vec3> position, velocity;          // [m], [m/s]
+  std::vector<Index> broken;                     // springs, indices in the System
+  bool has_touched = false, has_impact = false;  // something else or, for the former, the kink of a spring's force
+  bool is_finite = false;                        // no step failed, and every coordinate is a number
 };
+
+// Whether a spring went slack or taut between both states, or its ends passed each other closely: its force has a kink or a jump in time.
+bool has_kink(const Plan& plan, const State& start, const State& end);
 
 // Sets where the frame ended that followed `start`. `scratch`: memory that is used again.
 void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& start, State& scratch);
