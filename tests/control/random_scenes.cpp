@@ -124,21 +124,6 @@ TestSim random_break(Generator& random) {
   return sim;
 }
 
-// A rope of cables, or a net with every law.
-TestSim random_law(Generator& random) {
-  const bool is_rope = random.count(0, 1) == 0;
-  TestSim sim = is_rope ? random_rope(random) : random_net(random);
-  std::vector<Spring> springs = sim.system.springs();
-  for (Spring& spring : springs) {
-    constexpr SpringForce laws[] = {SpringForce::Cable, SpringForce::Strut, SpringForce::Cubic};
-    SpringLaw law{.force = laws[is_rope ? 0 : random.count(0, 2)]};
-    if (law.force == SpringForce::Cubic) law.k3 = spring.stiffness / (spring.rest_length * spring.rest_length);
-    spring.law = law;
-  }
-  sim.system.set_springs(springs);
-  return sim;
-}
-
 }  // namespace
 
 RandomScene make_random_scene(unsigned long seed, int number) {
@@ -147,8 +132,8 @@ RandomScene make_random_scene(unsigned long seed, int number) {
     std::string_view name;
     TestSim (*make)(Generator&);
   };
-  constexpr Kind kinds[] = {{"net", random_net},         {"rope", random_rope}, {"orbit", random_orbit},    {"cloth", random_cloth},
-                            {"contact", random_contact}, {"wind", random_wind}, {"breaking", random_break}, {"law", random_law}};
+  constexpr Kind kinds[] = {{"net", random_net},         {"rope", random_rope}, {"orbit", random_orbit},   {"cloth", random_cloth},
+                            {"contact", random_contact}, {"wind", random_wind}, {"breaking", random_break}};
   const Kind& kind = kinds[static_cast<std::size_t>(number) % std::size(kinds)];
   RandomScene scene{.kind = kind.name, .sim = kind.make(random)};
   scene.tolerance = random.power(-4.5, -2.0);

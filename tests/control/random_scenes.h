@@ -13,7 +13,7 @@ struct RandomScene {
   double tolerance = 1e-3;  // [m/s]
 };
 
-// Kinds in turn: net, rope, orbit, cloth, contact, wind, breaking, law.
+// Kinds in turn: net, rope, orbit, cloth, contact, wind, breaking.
 RandomScene make_random_scene(unsigned long seed, int number);
 
 }  // namespace hooke

@@ -13,14 +13,13 @@ namespace hooke {
 
 // Where a frame ended that was computed with one number of substeps.
 struct FrameEnd {
-  std::vector<Vec3> position, velocity;          // [m], [m/s]
-  std::vector<Index> broken;                     // springs, indices in the System
-  bool has_touched = false, has_impact = false;  // something else or, for the former, the kink of a spring's force
-  bool is_finite = false;                        // no step failed, and every coordinate is a number
+  std::vector<Vec3> position, velocity;  // [m], [m/s]
+  std::vector<Index> broken;             // springs, indices in the System
+  bool has_touched = false;              // something touched, or a spring went slack or taut
+  bool has_impact = false;
+  bool has_flipped = false;  // the ends of a spring passed each other within a substep
+  bool is_finite = false;    // no step failed, and every coordinate is a number
 };
-
-// Whether a spring went slack or taut between both states, or its ends passed each other closely: its force has a kink or a jump in time.
-bool has_kink(const Plan& plan, const State& start, const State& end);
 
 // Sets where the frame ended that followed `start`. `scratch`: memory that is used again.
 void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& start, State& scratch);
@@ -44,7 +43,8 @@ class FrameRuns {
   int count() const { return count_; }
   const FrameEnd& finest() const { return ends_[0]; }
   FrameEnd& finest() { return ends_[0]; }
-  // Whether something touched or broke in one of the last two; and whether something struck or broke.
+  // In one of the last two: whether something touched or broke; or a spring flipped, too; and whether something struck or broke.
+  bool have_contacts() const;
   bool have_events() const;
   bool have_impacts() const;
   // RMS error [m] of the finest over the free points, from at least two runs:

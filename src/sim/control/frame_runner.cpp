@@ -139,7 +139,7 @@ void FrameRunner::judge(Plan& plan) {
   const int more = is_small_enough ? 4 * choice_.substeps
                                    : refined_substeps({.substeps = choice_.substeps, .error = controlled, .order = order}, share_);
   const double next_cost = control::cost_of_estimate * cost(plan) * more / choice_.substeps;
-  const double max_cost = runs_.have_events() ? max_cost_of_events(plan) : max_cost_;
+  const double max_cost = runs_.have_contacts() ? max_cost_of_events(plan) : max_cost_;
   if (more > max_automatic_substeps || frame_cost_ + next_cost > max_cost) return accept(error, controlled, order);
   other_cost_ += cost(plan);
   if (!is_small_enough && ++rejections_ == control::max_rejections) {
