@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from .scene import Scene
 
 
-def _restore(scene: Scene, accuracy: str) -> Lab:
-    return Lab(_hooke.Lab(scene._bound, accuracy, 1, "double", "cpu"))
+def _restore(scene: Scene, accuracy: str, execution: tuple[int, str, str]) -> Lab:
+    return Lab(_hooke.Lab(scene._bound, accuracy, *execution))
 
 
 class Lab(Parameterized):
@@ -58,8 +58,8 @@ class Lab(Parameterized):
 
     @property
     def energy_balance(self) -> dict[str, float] | None:
-        """Where the energy [J] came from since the time `since` [s]: change, and what the hand, edits, forces, colliders, limits, drag,
-        dashpots and contact supplied, negative if they took it; method: what the numerical method gained or lost. None: not measured."""
+        """Where the energy [J] came from since the time `since` [s]: change, and what the hand, edits, forces, muscles, colliders, limits,
+        drag, dashpots and contact supplied, negative if they took it; method: what the numerical method gained or lost. None: not measured."""
         return self._bound.energy_balance()
 
     @property
@@ -69,6 +69,7 @@ class Lab(Parameterized):
 
     def _loads(self, name: str) -> Array:
         values: Array = self._bound.loads()[name]
+        values.flags.writeable = False
         return values
 
     @property
@@ -117,8 +118,8 @@ class Lab(Parameterized):
         return copy.deepcopy(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """For pickle: the scene in its present state and what is measured, without the history."""
-        return _restore, (self.scene(), self._bound.accuracy)
+        """For pickle: the scene in its present state, and how it is computed and measured. The history is left out, and what was held is free."""
+        return _restore, (self.scene(), self._bound.accuracy, self._bound.execution)
 
     def _repr_png_(self) -> bytes:
         """The picture that Jupyter shows."""

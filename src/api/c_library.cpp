@@ -108,7 +108,10 @@ int hooke_simulation_frame(hooke_simulation* simulation) { return ask(-1, simula
 int hooke_simulation_step(hooke_simulation* simulation, double seconds) { return ask(-1, simulation, step_seconds, seconds); }
 int hooke_simulation_set_threads(hooke_simulation* simulation, int threads) { return call(simulation, &R::set_threads, threads); }
 const char* hooke_simulation_diagnosis(hooke_simulation* simulation) {
-  return answer<const char*>(nullptr, [&] { return (given(simulation)->diagnosis = simulation->of.diagnosis()).c_str(); });
+  return answer<const char*>(nullptr, [&] {
+    std::string diagnosis = given(simulation)->of.diagnosis();
+    return (simulation->diagnosis = std::move(diagnosis)).c_str();
+  });
 }
 
 double hooke_simulation_time(const hooke_simulation* simulation) { return ask(unknown, simulation, &R::time); }

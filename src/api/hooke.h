@@ -14,7 +14,7 @@
 // Errors are exceptions of the class Error: one line, as on the command line, that names the argument. A Simulation is used by one thread
 // at a time; different ones may be used at the same time. What was moved from throws an Error when it is used.
 //
-// hooke/hooke_c.h is the same for C and other languages.
+// hooke/hooke_c.h has the essential part of it for C and other languages.
 #pragma once
 
 #include <cstdint>
@@ -63,8 +63,9 @@ class HOOKE_PUBLIC Scene {
   Scene& operator=(Scene&&) noexcept;
   ~Scene();
 
-  // Adds a point, a spring (rest length as drawn) or members of a scene file: "generators": [...], "colliders": [...] are added,
-  // "gravity": [...], "simulation": {...}, "contact": {...} and other parameters replace those of the scene. Refuses unknown members.
+  // Adds a point, a spring (rest length as drawn) or members of a scene file, without the braces around them: "generators": [...],
+  // "colliders": [...] are added, "gravity": [...], "simulation": {...}, "contact": {...} and other parameters replace those of the scene.
+  // Refuses unknown members.
   // add_point and add_spring return the number of what was added, from 0. Adding n of them one by one takes time proportional to n^2:
   // `add` takes lists.
   std::int64_t add_point(const Vector& position, double mass, bool nailed = false);                        // [m], [kg]

@@ -23,7 +23,8 @@ std::string in_quotes(const std::string& text) {
 
 }  // namespace
 
-std::string format_junit(const std::string& name, const std::vector<JunitCase>& cases) {
+std::string format_junit(const std::string& name, std::vector<JunitCase> cases, bool is_interrupted) {
+  if (is_interrupted) cases.push_back({name, "interrupted", "the run was interrupted before its end"});
   const auto failures = std::ranges::count_if(cases, [](const JunitCase& each) { return !each.failure.empty(); });
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=" + in_quotes(name) + " tests=\"" +
                      std::to_string(cases.size()) + "\" failures=\"" + std::to_string(failures) + "\">\n";

@@ -11,7 +11,7 @@ struct JunitCase {
   std::string failure;  // one line; empty: it passed
 };
 
-// One test suite of this name.
-std::string format_junit(const std::string& name, const std::vector<JunitCase>& cases);
+// One test suite of this name. An interrupted run is a failure: what it did not reach is not known to pass.
+std::string format_junit(const std::string& name, std::vector<JunitCase> cases, bool is_interrupted = false);
 
 }  // namespace hooke

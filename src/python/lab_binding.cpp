@@ -245,6 +245,7 @@ void bind_lab(py::module_& module) {
         const AccuracyMode mode = accuracy_named(accuracy);
         auto lab = std::make_shared<NamedLab>(scene, KeepStart::Yes);
         lab->accuracy = accuracy;
+        lab->threads = threads, lab->precision = precision, lab->device = device;
         lab->lab.set_execution(execution_of(lab->lab, threads, precision, device));
         submit(*lab, SetAccuracy{mode});
         return lab;
@@ -279,6 +280,7 @@ void bind_lab(py::module_& module) {
       .def("energy", &energy_of)
       .def("loads", &loads_of)
       .def_property_readonly("accuracy", [](const NamedLab& lab) { return lab.accuracy; })
+      .def_property_readonly("execution", [](const NamedLab& lab) { return py::make_tuple(lab.threads, lab.precision, lab.device); })
       .def("energy_balance", &energy_balance_of)
       .def("error", &error_of)
       .def_property_readonly("time",

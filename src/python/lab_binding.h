@@ -18,7 +18,9 @@ struct NamedLab {
   std::string name;
   std::vector<ForceFunction> functions;
   Lab lab;
-  std::string accuracy = "off";      // what is measured
+  std::string accuracy = "off";  // what is measured
+  std::int64_t threads = 1;
+  std::string precision = "double", device = "cpu";
   bool is_in_run = false;            // `run` computes its frames
   py::object positions, velocities;  // read-only arrays of the present state; null until they are read
   Shared shared;

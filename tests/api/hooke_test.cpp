@@ -237,6 +237,7 @@ TEST(InterfaceForC, AnswersMistakesWithALine) {
   EXPECT_EQ(hooke_scene_set(scene, "stiffness=-1"), -1);
   EXPECT_EQ(hooke_scene_add_spring(scene, 0, 1, 1.0, 0.0), -1);
   EXPECT_EQ(hooke_scene_add(scene, nullptr), -1);
+  EXPECT_EQ(hooke_simulation_diagnosis(nullptr), nullptr);
   hooke_scene_free(scene);
 }
 

@@ -101,9 +101,8 @@ TEST(AutomaticCost, IsCloseToThatOfTheBestFixedMethod) {
   if (prints()) std::printf("median %.2f, worst %.2f of %zu\n", median, worst, ratios.size());
   // counts of work, the same on every machine: what is reached on three problems, and on all of them
   EXPECT_TRUE(only != nullptr || median <= 3.0) << median;
-  // where stability sets the step of a method of fourth order, its three runs take seven times the fewest substeps; and hindsight knows
-  // steps beyond the limit that is proven
-  EXPECT_LE(worst, prints() ? 30.0 : 15.0);
+  // hindsight knows steps beyond the limit that is proven, and that dashpots need not be resolved
+  EXPECT_LE(worst, prints() ? 31.0 : 10.0);
 }
 
 // Frame by frame on the run's own motion, against the converged frame from the same state.

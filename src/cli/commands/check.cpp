@@ -80,7 +80,7 @@ int check_hard_cases(const CheckOptions& options) {
       reported.push_back({.group = std::string(each.hard_case->name),
                           .name = std::string(each.method->id),
                           .failure = is_broken(each.verdict) ? "unexpected: " + each.verdict.measured : ""});
-  write(options.junit, format_junit("hooke check --hard", reported));
+  write(options.junit, format_junit("hooke check --hard", reported, was_interrupted()));
   if (options.markdown && !was_interrupted())
     write(options.markdown,
           format_markdown(results, {.command = command_of(options), .date = time_text("%Y-%m-%d"), .machine = machine()}));
@@ -132,7 +132,7 @@ int check_scenes(const CheckOptions& options) {
     cases.push_back({.group = name, .name = std::string(result.method->id), .failure = result.passed ? "" : result.measured});
   const long failed = std::ranges::count_if(results, [](const auto& each) { return !each.second.passed; });
   write(options.json, format_checks(results, failed));
-  write(options.junit, format_junit("hooke check", cases));
+  write(options.junit, format_junit("hooke check", cases, was_interrupted()));
   if (was_interrupted()) return exit_interrupted();
   return failed == 0 ? exit_code::success : exit_code::check_failed;
 }
@@ -184,11 +184,11 @@ std::function<int()> declare_check(CLI::App& app) {
   app.add_option("--seconds", options->seconds, "Simulated time of --result; default: 2")
       ->type_name("S")
       ->check(within({.min = 1e-6, .max = 1e4}));
-  app.add_flag("--quick", options->quick, "Only the fast cases, without auto: about a minute of CPU time in total");
-  app.add_flag("--strict", options->strict, "Count every failure, even a reported one that is allowed");
-  app.add_option("--cases", options->cases, "Only these cases, by number")->type_name("1,20")->delimiter(',');
-  app.add_option("--methods", options->methods, "Only these methods, by id")->type_name("a,b")->delimiter(',');
-  app.add_option("--threads", options->threads, "Number of cases to run in parallel; default: one per core")
+  app.add_flag("--quick", options->quick, "With --hard: only the fast cases, without auto: about a minute of CPU time in total");
+  app.add_flag("--strict", options->strict, "With --hard: count every failure, even a reported one that is allowed");
+  app.add_option("--cases", options->cases, "With --hard: only these cases, by number")->type_name("1,20")->delimiter(',');
+  app.add_option("--methods", options->methods, "With --hard: only these methods, by id")->type_name("a,b")->delimiter(',');
+  app.add_option("--threads", options->threads, "With --hard: number of cases to run in parallel; default: one per core")
       ->type_name("N")
       ->check(within({.min = 1, .max = 256}));
   app.add_option("--json", options->json, "Write the results as JSON; - for stdout")->type_name("FILE");

@@ -33,8 +33,9 @@ inline constexpr double cost_of_estimate = 1.5;
 // by these factors, and by the last one if its runs do not agree.
 inline constexpr double trial_margin = 1.1, min_trial_growth = 1.5, max_trial_growth = 1e3, growth_on_failure = 4.0;
 
-// The order [1] that the estimate counts at most: of a method of higher order it then claims less than the runs show.
-inline constexpr int max_counted_order = 2;
+// [1], by which half the step is taken to reduce the error: two runs do not show it and count as much as a method of order 2, three count
+// what they show, at least as much as one of order 1.
+inline constexpr double max_assumed_reduction = 4.0, min_reduction = 2.0;
 // [1], the order up to which the path of a step is nearly the parabola that contact takes it for.
 inline constexpr int parabolic_order = 2;
 

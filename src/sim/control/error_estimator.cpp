@@ -13,6 +13,37 @@
 #include "sim/step/divergence.h"
 
 namespace hooke {
+namespace {
+
+bool acts(const Plan& plan, const LawSpring& spring, const State& state) {
+  const double length = glm::distance(state.position[spring.first], state.position[spring.second]);
+  return response_of(spring, plan.spring.laws.clock, state.time, length).of.acts;
+}
+
+// Whether the ends of a spring passed each other within a step: its force jumped to the opposite direction.
+bool has_flipped(const Vec3& before, const Vec3& after, int substeps) {
+  const Vec3 path = after - before;
+  if (!(glm::dot(before, after) < 0.0)) return false;
+  const Vec3 closest = before - glm::dot(before, path) / glm::dot(path, path) * path;
+  return glm::length(closest) < glm::length(path) / substeps;
+}
+
+// Whether a spring went slack or taut.
+bool have_laws_switched(const Plan& plan, const State& start, const State& end) {
+  const auto has_switched = [&](const LawSpring& spring) { return acts(plan, spring, start) != acts(plan, spring, end); };
+  return std::ranges::any_of(plan.spring.laws.springs, has_switched);
+}
+
+bool has_any_flipped(const Plan& plan, const State& start, const State& end, int substeps) {
+  for (const SpringRun& run : plan.spring.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const Index i = run.first + e, j = run.second + e;
+      if (has_flipped(start.position[j] - start.position[i], end.position[j] - end.position[i], substeps)) return true;
+    }
+  return false;
+}
+
+}  // namespace
 
 void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& start, State& scratch) {
   scratch = start;
@@ -20,13 +51,14 @@ void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& s
   end.position = scratch.position;
   end.velocity = scratch.velocity;
   end.broken.assign(frame.broken().begin(), frame.broken().end());
-  end.has_touched = frame.has_touched();
+  end.has_touched = frame.has_touched() || have_laws_switched(plan, start, scratch);
+  end.has_flipped = has_any_flipped(plan, start, scratch, frame.substeps_done());
   end.has_impact = frame.has_impact();
   end.is_finite = frame.failure() == StepFailure::None && is_finite(scratch);
 }
 
 int order_of(const System& system, const Integrator& method, const FrameEnd& end) {
-  const bool is_smooth = end.is_finite && !end.has_touched && end.broken.empty() && system.strain_limit == 0.0;
+  const bool is_smooth = end.is_finite && !end.has_touched && !end.has_flipped && end.broken.empty() && system.strain_limit == 0.0;
   return is_smooth ? free_order(system, method) : 1;
 }
 
@@ -44,10 +76,12 @@ FrameEnd& FrameRuns::add() {
   return ends_[0];
 }
 
-bool FrameRuns::have_events() const {
-  const auto has_event = [](const FrameEnd& end) { return end.has_touched || !end.broken.empty(); };
-  return has_event(ends_[0]) || (count_ > 1 && has_event(ends_[1]));
+bool FrameRuns::have_contacts() const {
+  const auto has_contact = [](const FrameEnd& end) { return end.has_touched || !end.broken.empty(); };
+  return has_contact(ends_[0]) || (count_ > 1 && has_contact(ends_[1]));
 }
+
+bool FrameRuns::have_events() const { return have_contacts() || ends_[0].has_flipped || (count_ > 1 && ends_[1].has_flipped); }
 
 bool FrameRuns::have_impacts() const {
   const auto has_impact = [](const FrameEnd& end) { return end.has_impact || !end.broken.empty(); };
@@ -55,15 +89,17 @@ bool FrameRuns::have_impacts() const {
 }
 
 double FrameRuns::error(const System& system, const Integrator& method) const {
-  const int order = have_events() ? 1 : std::min(control::max_counted_order, order_of(system, method, ends_[0]));
-  const double reduction = std::ldexp(1.0, order);
-  const auto error_of = [&](const FrameEnd& coarse, const FrameEnd& fine) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double reduction = std::ldexp(1.0, have_events() ? 1 : order_of(system, method, ends_[0]));
+  const auto distance = [&](const FrameEnd& coarse, const FrameEnd& fine) {
     const bool agree = coarse.is_finite && fine.is_finite && coarse.broken == fine.broken;
-    if (!agree) return std::numeric_limits<double>::infinity();
-    return weighted_distance(system, coarse.position, fine.position, 1.0 / (reduction - 1.0)).rms;
+    return agree ? weighted_distance(system, coarse.position, fine.position, 1.0).rms : infinity;
   };
-  const double last = error_of(ends_[1], ends_[0]);
-  return count_ > 2 && runs_needed(method) > 2 ? std::max(last, error_of(ends_[2], ends_[1]) / reduction) : last;
+  const double last = distance(ends_[1], ends_[0]);
+  if (count_ < 3 || runs_needed(method) < 3) return last / (std::min(reduction, control::max_assumed_reduction) - 1.0);
+  const double before = distance(ends_[2], ends_[1]);
+  const double observed = before < reduction * last ? std::max(before / last, control::min_reduction) : reduction;
+  return std::max(last, before / reduction) / (observed - 1.0);
 }
 
 double FrameRuns::velocity_error(const System& system) const {

@@ -15,8 +15,10 @@ namespace hooke {
 struct FrameEnd {
   std::vector<Vec3> position, velocity;  // [m], [m/s]
   std::vector<Index> broken;             // springs, indices in the System
-  bool has_touched = false, has_impact = false;
-  bool is_finite = false;  // no step failed, and every coordinate is a number
+  bool has_touched = false;              // something touched, or a spring went slack or taut
+  bool has_impact = false;
+  bool has_flipped = false;  // the ends of a spring passed each other within a substep
+  bool is_finite = false;    // no step failed, and every coordinate is a number
 };
 
 // Sets where the frame ended that followed `start`. `scratch`: memory that is used again.
@@ -25,8 +27,8 @@ void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& s
 // The order with which the error of such a frame falls: that of the method on this scene, but 1 where something touched or broke.
 int order_of(const System& system, const Integrator& method, const FrameEnd& end);
 
-// How many runs an estimate takes: a pair shows the error of a method of second order, which is close to its asymptotic range at the
-// tolerances of an interactive program; those of higher order often are not, and a third run shows it.
+// How many runs an estimate takes at most: a pair shows the error of a method of second order, which is close to its asymptotic range at
+// the tolerances of an interactive program; those of higher order often are not, and a third run shows it.
 int runs_needed(const Integrator& method);
 
 // The substeps of the first run of a frame whose last one takes so many.
@@ -41,13 +43,14 @@ class FrameRuns {
   int count() const { return count_; }
   const FrameEnd& finest() const { return ends_[0]; }
   FrameEnd& finest() { return ends_[0]; }
-  // Whether something touched or broke in one of the last two; and whether something struck or broke.
+  // In one of the last two: whether something touched or broke; or a spring flipped, too; and whether something struck or broke.
+  bool have_contacts() const;
   bool have_events() const;
   bool have_impacts() const;
   // RMS error [m] of the finest over the free points, from at least two runs:
-  //   |x(n) - x(n/2)| / (2^p - 1)     (Richardson)
-  // with p = 2 at most, and not less than the same of the two runs before, divided by 2^p. Infinity if one of them failed, or if springs
-  // broke in only one of them.
+  //   |x(n) - x(n/2)| / (q - 1)     (Richardson)
+  // q is 2^p, but at most 4, for two runs. For three it is the factor by which the differences fell, from 2 to 2^p; and the last difference
+  // counts as at least the one before it, divided by 2^p. Infinity if a run failed, or if springs broke in only one of them.
   double error(const System& system, const Integrator& method) const;
   // The same of the velocities [m/s], of the last two runs.
   double velocity_error(const System& system) const;

@@ -7,6 +7,7 @@
 #include "sim/control/constants.h"
 #include "sim/control/step_controller.h"
 #include "sim/methods/passage_step.h"
+#include "sim/model/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -114,7 +115,9 @@ void FrameRunner::finish_run(Plan& plan) {
     return accept(std::nullopt, 0.0, 1);
   }
   set_end(runs_.add(), frame_, plan, start_, scratch_);
-  if (runs_.count() >= runs_needed(*choice_.method)) return judge(plan);
+  // of a method of higher order, two are enough if they are within the tolerance even as those of one of second order
+  const bool is_pair_enough = runs_.count() == 2 && is_accepted(runs_.error(*system_, *choice_.method), share_) && !runs_.have_events();
+  if (is_pair_enough || runs_.count() >= runs_needed(*choice_.method)) return judge(plan);
   other_cost_ += cost_of_run;
   start(plan, 2 * settings_.substeps);
 }
@@ -136,7 +139,7 @@ void FrameRunner::judge(Plan& plan) {
   const int more = is_small_enough ? 4 * choice_.substeps
                                    : refined_substeps({.substeps = choice_.substeps, .error = controlled, .order = order}, share_);
   const double next_cost = control::cost_of_estimate * cost(plan) * more / choice_.substeps;
-  const double max_cost = runs_.have_events() ? max_cost_of_events(plan) : max_cost_;
+  const double max_cost = runs_.have_contacts() ? max_cost_of_events(plan) : max_cost_;
   if (more > max_automatic_substeps || frame_cost_ + next_cost > max_cost) return accept(error, controlled, order);
   other_cost_ += cost(plan);
   if (!is_small_enough && ++rejections_ == control::max_rejections) {
@@ -160,9 +163,10 @@ void FrameRunner::accept(std::optional<double> error, double controlled, int ord
   choice_.next_substeps =
       next_substeps({.substeps = choice_.substeps, .error = controlled, .order = order, .ratio_before = choice_.ratio}, share_);
   choice_.ratio = std::isfinite(ratio) ? ratio : 0.0;
-  // the error of the coarser run, whose steps the next frames may have
-  const bool is_calm_now =
-      first_substeps(*choice_.method, choice_.substeps) <= choice_.min_substeps && std::ldexp(ratio, order) < control::calm_ratio;
+  // the error with the fewest substeps, which the next frames may have
+  const double longer = std::max(1.0, static_cast<double>(choice_.substeps) / choice_.min_substeps);
+  const bool is_calm_now = first_substeps(*choice_.method, choice_.substeps) <= choice_.min_substeps &&
+                           ratio * portable::pow(longer, order) < control::calm_ratio;
   choice_.until_estimate = is_calm_now ? control::max_unestimated : 0;
 }
 

@@ -60,8 +60,9 @@ FrameTrial MethodSelector::attempt(const Scene& scene, const Integrator& method,
   for (int n = first_substeps(method, substeps); runs_.count() < runs_needed(method); n *= 2) {
     trial.substeps = n;
     trial.cost += compute(scene, method, n, max_cost - trial.cost, runs_.add());
+    if (runs_.count() > 1) trial.error = runs_.error(scene.system, method);
+    if (runs_.count() == 2 && is_accepted(trial.error, scene.share) && !runs_.have_events()) break;
   }
-  trial.error = runs_.error(scene.system, method);
   return trial;
 }
 
@@ -81,8 +82,9 @@ std::vector<MethodSelector::Candidate> MethodSelector::candidates_for(const Step
     if (!method.for_production || method.stability == Stability::Adaptive) continue;
     const auto min = min_automatic_substeps(limits, method, frame_rate);
     if (!min) continue;
-    const int substeps = *min << (runs_needed(method) - 1);
-    list.push_back({.method = &method, .substeps = substeps, .cost = control::cost_of_estimate * model.expected(method, substeps)});
+    // if two runs are enough
+    const double cost = control::cost_of_estimate * model.expected(method, 2 * *min);
+    list.push_back({.method = &method, .substeps = *min << (runs_needed(method) - 1), .cost = cost});
   }
   return list;
 }
