@@ -12,6 +12,7 @@
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/spring_limits.h"
 #include "sim/forces/terms/sticking.h"
+#include "sim/plan/phase_times.h"
 
 namespace hooke {
 namespace {
@@ -201,6 +202,7 @@ bool resolve_all(const Plan& plan, ContactWorkspace& before, Motion& motion, dou
 }  // namespace
 
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
+  const InPhase in(plan.execution.phases, Phase::Contact);
   before.free_v = motion.v;
   if (!resolve_all(plan, before, motion, h)) return false;
   for (int c = 0; c < plan.dimensions; ++c)
