@@ -3,7 +3,6 @@
 
 #include "app/app.h"
 #include "app/document/files.h"
-#include "app/work/scene_tasks.h"
 #include "base/overloaded.h"
 #include "base/printable.h"
 #include "scene/parameters.h"
@@ -60,7 +59,7 @@ void App::handle(const Request& request) {
                  [this](const CancelWork&) { file_task_.stop(); },
                  [this](const StopComparison&) { work_.comparison.stop(); },
                  [this](const StopResultCheck&) { work_.result_check.stop(); },
-                 [this](const ExplainStretch&) { start_stretch(work_.stretch, status(), tool_context_.selection.springs); },
+                 [this](const ExplainStretch&) { work_.start_stretch(status(), tool_context_.selection.springs); },
                  [this](const SaveComparison& save) { save_comparison(save.extension); },
                  [this](const SetGhosts& ghosts) { work_.ghosts.set(ghosts, status(), lab_); },
                  [this](const ShowFailure&) { show_failure(); },
@@ -115,15 +114,15 @@ void App::cancel() {
 }
 
 void App::compare_methods() {
-  panels_.show_at_left(&panels_.shown.comparison);
-  work_.ghosts.set({}, status(), lab_);
-  start_comparison(work_.comparison, status());
+  panels_.shown.comparison = false;
+  show_or_hide_at_left(&panels_.shown.comparison);
+  work_.start_comparison(status());
 }
 
 void App::check_result() {
-  panels_.show_at_left(&panels_.shown.result_check);
-  work_.ghosts.set({}, status(), lab_);
-  start_result_check(work_.result_check, status(), work_.forecaster.newest());
+  panels_.shown.result_check = false;
+  show_or_hide_at_left(&panels_.shown.result_check);
+  work_.start_result_check(status());
 }
 
 // Shows the panel with a very accurate run, or with a first setting to compare with; hides it if it is already shown.
@@ -181,13 +180,12 @@ void App::show_or_hide_table() {
   panels_.table.is_shown = !panels_.table.is_shown;
 }
 
-void App::show_messages() {
-  bool& is_shown = panels_.messages.is_shown;
-  if (is_shown) {
-    is_shown = false;
+void App::show_or_hide_at_left(bool* panel) {
+  if (*panel) {
+    *panel = false;
     return;
   }
-  panels_.show_at_left(&is_shown);
+  panels_.show_at_left(panel);
   work_.ghosts.set({}, status(), lab_);
 }
 

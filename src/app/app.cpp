@@ -13,7 +13,7 @@ namespace {
 
 // "Undo: nail 3 points"; empty: neither undone nor redone.
 std::string history_move(const HistoryList& from, const HistoryList& to) {
-  if (from.done == to.done || from.names != to.names) return {};
+  if (from.done == to.done || from.recorded != to.recorded || from.names != to.names) return {};
   const auto [first, last] = std::minmax(from.done, to.done);
   return (to.done < from.done ? "Undo: " : "Redo: ") +
          (last - first == 1 ? to.names[first] : count(static_cast<long>(last - first), "step"));
@@ -43,7 +43,7 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const H
 
 void App::resize(const glm::dvec2& size, double scale) {
   layout_ = lay_out(size.x, size.y, scale,
-                    {.panels = !panels_.panels_hidden,
+                    {.panels = panels_.shown.panels,
                      .plots = panels_.plots.is_shown || panels_.table.is_shown,
                      .strain_legend = shows_strain_colors(tool_context_.system(), panels_.view)});
   tool_context_.size = {layout_.scene.width, layout_.scene.height};
@@ -76,12 +76,11 @@ void App::drop(const FileDrop& dropped) {
 void App::build_frame(const FrameStatistics& frame_statistics) {
   poll_background_work();
   work_.follow(status(), panels_, lab_);
-  const std::size_t gas_releases = status().run.gas_releases;
-  if (gas_releases > std::exchange(gas_releases_, gas_releases)) panels_.show_toast("A tear released the gas of a surface");
+  const auto before = std::exchange(shown_, tool_context_.status);
+  if (before && status().run.gas_releases > before->run.gas_releases) panels_.show_toast("A tear released the gas of a surface");
   if (const std::string notice = std::exchange(tool_context_.notice, {}); !notice.empty()) panels_.show_toast(notice);
-  const auto history = std::exchange(history_, status().history.list);
-  if (history && history != history_)
-    if (const std::string moved = history_move(*history, *history_); !moved.empty()) panels_.show_toast(moved);
+  if (before && before->history.list != status().history.list)
+    if (const std::string moved = history_move(*before->history.list, *status().history.list); !moved.empty()) panels_.show_toast(moved);
   if (tool_.is_pressed())
     tool_.follow(mouse_.pointer());
   else
@@ -134,7 +133,7 @@ void App::update_marks() {
   for (std::size_t i = 0; i < ghosts.size(); ++i)
     if (ghosts[i].positions) marks_.ghost_networks.push_back({ghosts[i].positions, to_color(ghost_color(i))});
   marks_.crossed = work_.crossings.found();
-  marks_.arrows = make_arrows(*status().snapshot, panels_.view, tool_context_.view_height(), force_arrows_);
+  marks_.arrows = make_arrows(*status().snapshot, panels_.view, tool_context_.view_height(), work_.force_arrows);
   placer_.mark(marks_);
   if (placer_.is_on()) return;
   if ((mouse_.is_over_scene() || tool_.is_pressed()) && !camera_control_.is_dragging()) tool_.mark(mouse_.pointer(), marks_);
@@ -170,12 +169,7 @@ void App::show(const Scene& scene) {
 
 // Applies the view settings of the scene; the user may change them afterwards.
 void App::take_switches(const ViewSettings& view) {
-  panels_.view.surface = view.surface;
-  panels_.view.springs = view.springs;
-  panels_.view.points = view.points;
-  panels_.view.strain_colors = view.strain_colors;
-  panels_.view.coils = view.coils;
-  panels_.view.shadows = view.shadows;
+  copy_visible_parts(view, panels_.view);
   panels_.plots.is_shown = panels_.plots.is_shown || !view.plots.empty();
   tool_context_.shows_surface = view.surface;
 }

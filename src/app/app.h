@@ -19,7 +19,6 @@
 #include "app/media/exporter.h"
 #include "app/tools/active_tool.h"
 #include "app/tools/tune.h"
-#include "app/view/arrows.h"
 #include "app/view/camera_control.h"
 #include "app/window/event.h"
 #include "app/work/background_work.h"
@@ -98,7 +97,7 @@ class App {
   void show_or_hide_plots();
   void show_or_hide_table();
   void follow_plots();
-  void show_messages();
+  void show_or_hide_at_left(bool* panel);
   void choose_texture(const std::string& typed);
   void switch_muscles();
   void show(const Scene& scene);
@@ -107,8 +106,7 @@ class App {
   void finish();
 
   LabThread lab_;
-  std::size_t gas_releases_ = 0;                // announced so far
-  std::shared_ptr<const HistoryList> history_;  // of the last frame
+  std::shared_ptr<const Status> shown_;  // in the last frame
   ToolContext tool_context_;
   Panels panels_;
   Layout layout_;
@@ -122,7 +120,6 @@ class App {
   Placer placer_;
   MouseInput mouse_;
   BackgroundWork work_;
-  ForceArrows force_arrows_;
   Document document_;
   Captures captures_;
   Exporter exporter_;

@@ -20,7 +20,13 @@ Image render_thumbnail(View& view, const ShippedScene& shipped) {
   follow_scene(camera, scene.state);
   ViewOptions look = options_for(scene.view, scene.cloth_texture);
   view.draw(*lab.status()->snapshot, {}, camera, look, thumbnail_width, thumbnail_height, nullptr);
-  return view.read();
+  Image both = view.read();
+  if (!scene.view.background) look.background = light_background;
+  view.draw(*lab.status()->snapshot, {}, camera, look, thumbnail_width, thumbnail_height, nullptr);
+  const Image light = view.read();
+  both.pixels.insert(both.pixels.end(), light.pixels.begin(), light.pixels.end());
+  both.height += light.height;
+  return both;
 }
 
 }  // namespace hooke

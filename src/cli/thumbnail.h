@@ -6,7 +6,8 @@
 
 namespace hooke {
 
-// The scene at the time given in its file, slightly closer than its default view. A context must be current.
+// On a dark background, and below that on a light one: the scene at the time given in its file, slightly closer than its default view. A
+// context must be current.
 Image render_thumbnail(View& view, const ShippedScene& shipped);
 
 }  // namespace hooke

@@ -230,12 +230,7 @@ void View::Parts::draw_over(const DrawContext& context) {
 
 ViewOptions options_for(const ViewSettings& settings, const ClothTexture& cloth_texture) {
   ViewOptions options;
-  options.points = settings.points;
-  options.springs = settings.springs;
-  options.surface = settings.surface;
-  options.strain_colors = settings.strain_colors;
-  options.coils = settings.coils;
-  options.shadows = settings.shadows;
+  copy_visible_parts(settings, options);
   options.cloth_texture = cloth_texture;
   if (settings.background) options.background = *settings.background;
   return options;

@@ -17,6 +17,8 @@ struct Viewport {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
+inline constexpr Color dark_background{32, 36, 40}, light_background{232, 235, 239};
+
 struct ViewOptions {
   bool points = true, springs = true, surface = true, colliders = true, grid = true;
   bool coils = false;                       // springs are drawn as coils
@@ -28,7 +30,7 @@ struct ViewOptions {
   ClothTexture cloth_texture;  // on the surface
   int samples = 4;             // MSAA samples per pixel; 0: off
   double scale = 1.0;          // framebuffer pixels per screen point; scales line widths
-  Color background{32, 36, 40};
+  Color background = dark_background;
   Viewport place;  // of the scene; panels use the whole framebuffer
 };
 

@@ -46,6 +46,7 @@ void History::record(const std::string& name, std::vector<Command> inverse, Gest
       lost_.push_back("undo " + undone.name);
   drop(undone_);
   if (inverse.empty()) return;
+  ++recorded_;
 
   // the later parts of a gesture are undone first
   if (gesture != 0 && !done_.empty() && done_.back().gesture == gesture) {
@@ -122,6 +123,7 @@ std::shared_ptr<const HistoryList> History::list() const {
   if (list_) return list_;
   auto list = std::make_shared<HistoryList>();
   list->done = done_.size();
+  list->recorded = recorded_;
   list->unsaved = unsaved_changes();
   list->names.reserve(done_.size() + undone_.size());
   for (const Step& step : done_) list->names.push_back(step.name);

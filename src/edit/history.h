@@ -60,8 +60,9 @@ class History {
 
   Steps done_, undone_;
   std::size_t bytes_ = 0;
-  std::size_t saved_ = 0;                            // number of steps in effect when the document was saved
-  std::vector<std::string> lost_;                    // changes since then that are no steps, or whose steps are gone
+  std::size_t saved_ = 0;          // number of steps in effect when the document was saved
+  std::vector<std::string> lost_;  // changes since then that are no steps, or whose steps are gone
+  long recorded_ = 0;
   mutable std::shared_ptr<const HistoryList> list_;  // null: stale
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint8_t placeholder_gray = 0x20;
 
 void blit(const Picture& thumbnail, Picture& atlas, int left, int top) {
-  if (thumbnail.width != thumbnail_width || thumbnail.height != thumbnail_height) return;
+  if (thumbnail.width != thumbnail_width || thumbnail.height != 2 * thumbnail_height) return;
   for (int y = 0; y < thumbnail.height; ++y) {
     const auto from = thumbnail.pixels.begin() + std::ptrdiff_t{3} * y * thumbnail.width;
     std::copy_n(from, 3 * thumbnail.width, atlas.pixels.begin() + std::ptrdiff_t{3} * ((top + y) * atlas.width + left));
@@ -49,13 +49,13 @@ std::filesystem::path thumbnail_file(const ShippedScene& scene) { return assets_
 
 Picture read_thumbnails() {
   const auto count = static_cast<int>(shipped_scenes().size()), rows = (count + thumbnail_columns - 1) / thumbnail_columns;
-  Picture atlas{.width = thumbnail_columns * thumbnail_width, .height = rows * thumbnail_height};
+  Picture atlas{.width = thumbnail_columns * thumbnail_width, .height = 2 * rows * thumbnail_height};
   atlas.pixels.assign(std::size_t{3} * atlas.width * atlas.height, placeholder_gray);
   for (int i = 0; i < count; ++i) {
     const std::filesystem::path file = thumbnail_file(shipped_scenes()[static_cast<std::size_t>(i)]);
     try {
       blit(decode_png(read_file(file), printable(file.native())), atlas, i % thumbnail_columns * thumbnail_width,
-           i / thumbnail_columns * thumbnail_height);
+           i / thumbnail_columns * 2 * thumbnail_height);
     } catch (const std::runtime_error&) {  // InputError or FileError: the card has no picture
     }
   }

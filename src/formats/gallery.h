@@ -10,7 +10,8 @@
 
 namespace hooke {
 
-inline constexpr int thumbnail_width = 288, thumbnail_height = 180;  // [px]
+// [px], of one; a file has two, the one for a light background below.
+inline constexpr int thumbnail_width = 288, thumbnail_height = 180;
 
 // The field "gallery" of a scene file, which lists the scene.
 struct GalleryEntry {

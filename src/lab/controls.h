@@ -6,7 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "lab/accuracy/accuracy_mode.h"
 #include "lab/accuracy/companion.h"
 #include "lab/traces.h"
 #include "scene/scene.h"
@@ -34,7 +33,13 @@ struct GoToTime {    // to the last recorded state at this time or before; pause
 struct Watch {  // sets the quantities measured in every frame, for the plots
   std::vector<Quantity> quantities;
 };
-struct SetAccuracy {  // what is measured of the accuracy of the run
+// What is measured of the accuracy of the run.
+enum class AccuracyMode {
+  Off,
+  Frame,  // the error of a frame, a tenth of the cost of the run, and the energy balance, half of it where there are dashpots
+  Full,   // and the second runs: about two and a half times the cost of the run
+};
+struct SetAccuracy {
   AccuracyMode mode;
 };
 struct SetCompanions {  // runs beside the run, from its present state on; empty: none

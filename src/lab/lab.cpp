@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 
 #include "base/overloaded.h"
 #include "edit/tears.h"
 #include "lab/change_text.h"
-#include "lab/large_run.h"
 
 namespace hooke {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
 
 // So that a frame repeated with half the step, of twice the substeps, is done before the next one is, 40 frames later.
 constexpr long substeps_per_repeated = 20;
@@ -30,6 +26,7 @@ Lab::Lab(Scene scene, KeepStart keep) : measuring_{.at_once = keep == KeepStart:
     reset_session();
     return;
   }
+  plan_.execution.phases = &measuring_.times;
   measuring_.meter.set_mode(AccuracyMode::Full);
   open(std::make_shared<const Scene>(std::move(scene)));
   publish();
@@ -231,7 +228,6 @@ void Lab::begin_frame() {
   settings.measures_damping = measuring_.meter.mode() != AccuracyMode::Off;
   frame_.begin(plan_, scene_.system, settings, scene_.state);
   progress_.in_frame = true;
-  clock_.begin_frame();
 }
 
 // Removes the springs that broke in the frame just computed, and returns the command that restores them.
@@ -295,6 +291,7 @@ bool Lab::finish_frame() {
   tallies_.last_limit_work = explained(frame_.motion().energy, plan_.hand.held || plan_.collider_paths.any_moves)[EnergyCause::StrainLimit];
   tallies_.limit_work += tallies_.last_limit_work;
   add_to_timeline(true);
+  measuring_.end_frame();
   clock_.end_frame(scene_.state.time, 1.0 / scene_.settings.frame_rate);
   recorder_.record_frame(scene_.state);
   record_held_edits();
@@ -320,7 +317,7 @@ bool Lab::compute_companions(const std::function<bool()>& should_continue) {
 
 bool Lab::step_frame() {
   // `auto` computes frames when it chooses the method, at the beginning
-  const auto start = Clock::now();
+  std::optional<InPhase> in(std::in_place, plan_.execution.phases, Phase::Forces);
   begin_frame();
   try {
     while (!frame_.done()) {
@@ -331,7 +328,7 @@ bool Lab::step_frame() {
     drop_frame();
     throw;
   }
-  clock_.spend(milliseconds_since(start));
+  in.reset();
   return finish_frame();
 }
 
@@ -351,16 +348,19 @@ void Lab::advance(double real_seconds, const std::function<bool()>& should_conti
     clock_.accumulate(real_seconds, scene_.settings.speed);
     long stepped = 0;
     while (clock_.is_running() && in_time && (progress_.in_frame || clock_.has_frame_due(frame))) {
-      const auto start = Clock::now();
+      std::optional<InPhase> in(std::in_place, plan_.execution.phases, Phase::Forces);
       if (!progress_.in_frame) begin_frame();
       while (!frame_.done() && in_time) {
         frame_.substep(plan_);
         // without idle time, a frame is repeated beside the ones that follow
         const bool repeats = frame_.done() || frame_.substeps_done() % substeps_per_repeated == 0;
-        if (repeats && measuring_.meter.is_repeating()) measuring_.meter.repeat(scene_.system);
+        if (repeats && measuring_.meter.is_repeating()) {
+          const InPhase beside(plan_.execution.phases, Phase::Accuracy);
+          measuring_.meter.repeat(scene_.system);
+        }
         in_time = should_continue();
       }
-      clock_.spend(milliseconds_since(start));
+      in.reset();
       if (frame_.done()) {
         clock_.consume(frame);
         stepped += finish_frame() ? 1 : 0;

@@ -40,6 +40,7 @@ Accuracy Lab::accuracy() const {
 }
 
 void Lab::measure_accuracy(const std::function<bool()>& should_continue) {
+  const InPhase in(plan_.execution.phases, Phase::Accuracy);
   while (measuring_.meter.is_repeating() && should_continue()) measuring_.meter.repeat(scene_.system);
   while (measuring_.meter.has_work() && should_continue()) measuring_.meter.work(scene_.system);
 }

@@ -53,7 +53,10 @@ void Lab::rebuild_plan() {
   plan_.execution = std::move(execution);
 }
 
-void Lab::set_execution(Execution execution) { plan_.execution = std::move(execution); }
+void Lab::set_execution(Execution execution) {
+  execution.phases = plan_.execution.phases;
+  plan_.execution = std::move(execution);
+}
 
 Scene Lab::scene_at_start() {
   if (!start_.scene()) return scene_;

@@ -1,6 +1,7 @@
 // The parts of a laboratory that have no behavior of their own.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -9,8 +10,13 @@
 #include "edit/history.h"
 #include "lab/accuracy/accuracy_meter.h"
 #include "lab/status.h"
+#include "sim/plan/phase_times.h"
 
 namespace hooke {
+
+// From this number of points on, memory counts more than the time that it takes to allocate it again: a laboratory without a start, and the
+// monitor of a run, keep nothing between frames that can be computed again.
+inline constexpr std::size_t min_points_of_large_run = 100'000;
 
 // The frame that is being computed.
 struct FrameProgress {
@@ -25,6 +31,16 @@ struct Metering {
   AccuracyMeter meter;
   bool at_once = false;  // the accuracy of a frame, before the next one
   double cpu_seconds = 0.0;
+  PhaseTimes times{.clock = [] { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }};
+  std::array<double, phase_count> phase_ms{};  // of a frame, smoothed
+
+  void end_frame() {
+    constexpr double weight = 0.1;  // of the newest frame
+    for (std::size_t i = 0; i < phase_count; ++i) {
+      const double ms = 1e3 * std::exchange(times.seconds[i], 0.0);
+      phase_ms[i] += (phase_ms[i] == 0.0 ? 1.0 : weight) * (ms - phase_ms[i]);
+    }
+  }
 };
 
 // Drags in a run.

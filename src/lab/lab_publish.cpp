@@ -77,7 +77,7 @@ std::shared_ptr<const Snapshot> Lab::snapshot() {
 RunStatus Lab::run_status() const {
   const bool has_hand = scene_.system.grab || scene_.state.hand.collider;
   return {.running = clock_.is_running(),
-          .simulate_ms = clock_.simulate_ms(),
+          .phase_ms = measuring_.phase_ms,
           .speed = clock_.speed(),
           .frames = tallies_.frames,
           .from = clock_.from(),

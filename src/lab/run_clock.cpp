@@ -12,9 +12,6 @@ constexpr double max_real_seconds = 0.25;
 // [s] over which the displayed speed is measured.
 constexpr double speed_window = 1.0;
 
-// Weight of the newest value in the displayed time per frame.
-constexpr double smoothing = 0.1;
-
 }  // namespace
 
 void RunClock::set_running(bool running) {
@@ -44,7 +41,6 @@ void RunClock::update_speed(double real_seconds, double simulated_seconds, doubl
 void RunClock::end_frame(double time, double frame) {
   // the scene's clock is a sum of frame durations: compare with a tolerance of half a frame
   if (run_to_ && time + 0.5 * frame > *run_to_) set_running(false);
-  simulate_ms_ = simulate_ms_ == 0.0 ? frame_ms_ : simulate_ms_ + smoothing * (frame_ms_ - simulate_ms_);
 }
 
 }  // namespace hooke

@@ -27,17 +27,13 @@ class RunClock {
   // Limits the backlog to one frame, so that a slow scene runs slower instead of catching up, and measures the speed.
   void update_speed(double real_seconds, double simulated_seconds, double frame);
 
-  // A frame that begins, real time spent on it [ms], and its end at a time of the scene [s]: a run to that time stops.
-  void begin_frame() { frame_ms_ = 0.0; }
-  void spend(double milliseconds) { frame_ms_ += milliseconds; }
+  // A frame was computed that ends at a time of the scene [s]: a run to that time stops.
   void end_frame(double time, double frame);
 
   // [s] of simulated time until the next frame is due.
   double time_to_next(double frame) const { return run_to_ ? 0.0 : frame - backlog_; }
   // [1], simulated seconds per real second, over about the last second; 0: not measured.
   double speed() const { return running_ && recent_real_ > 0.0 ? recent_simulated_ / recent_real_ : 0.0; }
-  // [ms] of real time per frame, smoothed.
-  double simulate_ms() const { return simulate_ms_; }
 
  private:
   bool running_ = false;
@@ -45,7 +41,6 @@ class RunClock {
   double run_from_ = 0.0;                              // [s]
   double backlog_ = 0.0;                               // [s] of simulated time not yet stepped
   double recent_simulated_ = 0.0, recent_real_ = 0.0;  // [s], fading sums
-  double frame_ms_ = 0.0, simulate_ms_ = 0.0;
 };
 
 }  // namespace hooke

@@ -1,6 +1,7 @@
 // What the laboratory publishes once per frame for panels and tools: a Snapshot of the simulation and the state of everything around it.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "lab/traces.h"
 #include "scene/scene.h"
 #include "sim/model/accuracy.h"
+#include "sim/plan/phase_times.h"
 #include "sim/step/snapshot.h"
 
 namespace hooke {
@@ -29,7 +31,7 @@ struct DocumentStatus {
 
 struct RunStatus {
   bool running = false;
-  double simulate_ms = 0.0;                    // of real time per simulated frame, smoothed
+  std::array<double, phase_count> phase_ms{};  // of real time per simulated frame, smoothed
   double speed = 0.0;                          // simulated seconds per real second, measured; 0 while paused
   long frames = 0;                             // computed since the document was opened
   double from = 0.0, to = 0.0;                 // [s], of a run to a given time; both 0: none
@@ -37,6 +39,9 @@ struct RunStatus {
   double limit_power = 0.0, limit_work = 0.0;  // [W] now and [J] in total, of the strain limit on the scene
   std::size_t gas_releases = 0;                // surfaces filled with gas that tears have opened
   long crossings = 0;                          // as Motion, at the start of the last frame
+
+  double ms(Phase phase) const { return phase_ms[static_cast<std::size_t>(phase)]; }
+  double simulate_ms() const { return ms(Phase::Forces) + ms(Phase::Contact) + ms(Phase::Solve) + ms(Phase::Auto); }
 };
 
 struct HistoryStatus {

@@ -35,6 +35,16 @@ struct ViewSettings {
   bool operator==(const ViewSettings&) const = default;
 };
 
+// Of settings, or of the options of a picture (draw/view.h).
+void copy_visible_parts(const auto& from, auto& to) {
+  to.surface = from.surface;
+  to.springs = from.springs;
+  to.points = from.points;
+  to.strain_colors = from.strain_colors;
+  to.coils = from.coils;
+  to.shadows = from.shadows;
+}
+
 // RGB or RGBA, 8 bits, rows from the top.
 struct Picture {
   int width = 0, height = 0;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/number_text.h"
-#include "lab/large_run.h"
+#include "lab/lab_parts.h"
 #include "sim/control/automatic.h"
 #include "sim/forces/constants.h"
 #include "sim/forces/energy/plan_energy.h"

@@ -3,7 +3,6 @@
 #include <unsupported/Eigen/FFT>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -17,10 +16,17 @@ constexpr std::size_t min_values = 8;
 constexpr std::size_t padding = 4;
 constexpr double noticed = 0.01;  // of the largest amplitude in the same plot
 
+// Whether an FFT of so many values is fast.
+bool is_smooth(std::size_t n) {
+  for (const std::size_t p : {2, 3, 5})
+    while (n % p == 0) n /= p;
+  return n == 1;
+}
+
 std::vector<double> amplitudes(std::span<const double> values) {
   const std::size_t n = values.size();
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(n);
-  std::vector<double> padded(padding * std::bit_ceil(n), 0.0);
+  std::vector<double> padded(padding * n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     const double phase = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n - 1);
     padded[i] = (values[i] - mean) * 0.5 * (1.0 - std::cos(phase));
@@ -42,6 +48,7 @@ TraceTable spectrum_of(const TraceTable& table, double first, double last) {
     if (table.continues[i] == 0) begin = i;
   TraceTable spectrum;
   if (end < begin + min_values) return spectrum;
+  while (!is_smooth(end - begin)) ++begin;
   const double step = (table.times[end - 1] - table.times[begin]) / static_cast<double>(end - 1 - begin);
   std::size_t shown = min_values;
   for (const Trace& trace : table.traces) {
@@ -59,7 +66,7 @@ TraceTable spectrum_of(const TraceTable& table, double first, double last) {
   if (spectrum.traces.empty()) return spectrum;
   shown = std::min(shown + shown / 4, spectrum.traces.front().values.size());
   for (Trace& trace : spectrum.traces) trace.values.resize(shown);
-  const double width = 1.0 / (step * static_cast<double>(padding * std::bit_ceil(end - begin)));
+  const double width = 1.0 / (step * static_cast<double>(padding * (end - begin)));
   for (std::size_t k = 0; k < shown; ++k) spectrum.times.push_back(width * static_cast<double>(k));
   spectrum.continues.assign(shown, 1);
   spectrum.errors.assign(shown, std::nan(""));
@@ -67,9 +74,8 @@ TraceTable spectrum_of(const TraceTable& table, double first, double last) {
 }
 
 std::optional<double> peak_of(const TraceTable& spectrum, const std::vector<const Trace*>& traces) {
-  // two periods in n of padding * bit_ceil(n) values, which are less than 2 * padding * n
-  constexpr std::size_t first = 4 * padding;
-  constexpr double side_lobes = 0.1;  // of a drift, whose largest one has 0.075 of its amplitude under a Hann window
+  constexpr std::size_t first = 2 * padding;  // two periods
+  constexpr double side_lobes = 0.1;          // of a drift, whose largest one has 0.075 of its amplitude under a Hann window
   double highest = 0.0;
   for (const Trace* trace : traces) highest = std::max(highest, side_lobes * *std::ranges::max_element(trace->values));
   std::optional<double> frequency;

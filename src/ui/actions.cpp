@@ -11,7 +11,15 @@ constexpr std::array rows{
 #include "ui/actions.inc"
 };
 
+constexpr std::array button_rows{
+#define TOOL(id, keys, icon, name, text, make) ToolButton{Action::id, Icon::icon, name},
+#define ACTION(...)
+#include "ui/actions.inc"
+};
+
 }  // namespace
+
+std::span<const ToolButton> tool_buttons() { return button_rows; }
 
 std::span<const ActionRow> actions() { return rows; }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "ui/icons.h"
 #include "ui/keys.h"
 
 namespace hooke {
@@ -39,5 +40,13 @@ struct ActionRow {
 // In the order of actions.inc.
 std::span<const ActionRow> actions();
 const ActionRow& row_of(Action action);
+
+struct ToolButton {
+  Action action;
+  Icon icon;
+  std::string_view name;  // short, below the icon
+};
+// Of the toolbar, from the top.
+std::span<const ToolButton> tool_buttons();
 
 }  // namespace hooke

@@ -26,7 +26,7 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
   if (panels.gallery.is_shown) {
     build_gallery(input, panels, requests);
   } else {
-    if (!panels.panels_hidden) {
+    if (panels.shown.panels) {
       build_toolbar(input, requests);
       build_side(input, panels, requests);
     }
@@ -39,6 +39,7 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
     build_comparison(input, panels, requests);
     build_result_check(input, panels, requests);
     build_ghosts(input, panels, requests);
+    build_times(input, panels);
     build_messages(input, panels);
   }
   build_export(input, panels, requests);
@@ -51,6 +52,11 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
 
 int PanelInput::presses(PanelKey::Target target, Key key) const {
   return static_cast<int>(std::ranges::count_if(keys, [&](const PanelKey& each) { return each.target == target && each.key == key; }));
+}
+
+void close_on_escape(const PanelInput& input, Panels& panels) {
+  panels.menus.is_open = input.presses(PanelKey::Target::Menu, Key::Escape) == 0;
+  if (!panels.menus.is_open) ImGui::CloseCurrentPopup();
 }
 
 bool panels_cover(const Panels& panels, const Layout& layout, double x, double y) {

@@ -21,14 +21,12 @@
 #include "study/cost_advice.h"
 #include "study/remedy/remedy.h"
 #include "ui/export_state.h"
-#include "ui/icons.h"
 #include "ui/layout.h"
 #include "ui/panels/affected_parts.h"
 #include "ui/placement.h"
 #include "ui/requests.h"
 #include "ui/shortcuts.h"
 #include "ui/theme.h"
-#include "ui/tool_buttons.h"
 
 namespace hooke {
 
@@ -246,7 +244,15 @@ struct TimelineState {
 };
 
 struct ShownPanels {
+  bool panels = true;  // all but the menu and status bars
   bool keys = false, accuracy = false, comparison = false, result_check = false;
+  bool takes_fastest = false;  // when the comparison in progress is done
+};
+
+// The time per frame and phase, and how it was in the last seconds [ms].
+struct TimesPanel {
+  bool is_shown = false;
+  std::array<std::deque<float>, phase_count> history;
 };
 
 struct Panels {
@@ -262,18 +268,18 @@ struct Panels {
   Banners banners;
   FieldState field;
   Look look = Look::Dark;
-  bool panels_hidden = false;  // all but the menu and status bars
   ShownPanels shown;
   SideState side;
   Ghosts ghosts;
   PlotView plots;
   PartTable table;
   TimelineState timeline;
+  TimesPanel times;
   std::vector<Rect> floating;  // panels over the scene in the last frame
 
   // Of the panels at the left edge of the scene only one is shown.
   void show_at_left(bool* panel) {
-    shown.comparison = shown.result_check = messages.is_shown = false;
+    shown.comparison = shown.takes_fastest = shown.result_check = messages.is_shown = times.is_shown = false;
     ghosts = {};
     *panel = true;
   }
@@ -330,11 +336,15 @@ void build_parameters(const PanelInput& input, Panels& panels, Requests& request
 // After the method where the scene was opened with forces, else after the parameters.
 inline constexpr const char* forces_section = "Forces";
 inline bool has_forces_first(const PanelInput& input) { return !input.status.document->opened_forces.empty(); }
+// The effect of a parameter on the scene, below its slider: the step and omega h, the sag, the damping ratios; a dash if it is not known.
+void parameter_hint_row(const Parameter& row, const PanelInput& input);
 void build_forces(const PanelInput& input, Panels& panels, Requests& requests);
 // What is plotted: of the document, or by default the energies.
 std::vector<Quantity> plotted(const DocumentStatus& document, const System& system);
 // The visible time span [s]; the table must have times.
 std::pair<double, double> shown_times(const TraceTable& table, const Panels& panels);
+// Within an open list or menu: it takes Esc, which closes it.
+void close_on_escape(const PanelInput& input, Panels& panels);
 // The list of quantities to plot.
 void build_plot_choices(const PanelInput& input, Requests& requests);
 void build_part_table(const PanelInput& input, Panels& panels, Requests& requests);
@@ -351,6 +361,7 @@ void build_accuracy_line(const PanelInput& input, Panels& panels);
 void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests);
 void build_comparison(const PanelInput& input, Panels& panels, Requests& requests);
 void build_result_check(const PanelInput& input, Panels& panels, Requests& requests);
+void build_times(const PanelInput& input, Panels& panels);
 // Ghosts: runs beside the run, and their distance from it. `ghost_color` is that of the n-th in the scene and in the panel.
 void build_ghosts(const PanelInput& input, Panels& panels, Requests& requests);
 ImU32 ghost_color(std::size_t n);
@@ -360,6 +371,13 @@ void build_overlays(const PanelInput& input, Panels& panels, Requests& requests)
 void build_keys(const PanelInput& input, Panels& panels);
 void build_messages(const PanelInput& input, Panels& panels);
 void build_gallery(const PanelInput& input, Panels& panels, Requests& requests);
+// A list of folders and files within a dialog, whose selected file is copied to `dialog.typed`; returns whether a double click confirmed
+// it.
+enum class FileDialogMode { Open, Save };
+bool build_browser(const PanelInput& input, Dialog& dialog, FileDialogMode mode);
+// The typed path, relative to the folder shown; and to another folder, which keeps the name of a file to save.
+std::filesystem::path resolved_path(const Dialog& dialog);
+void go_to_folder(Dialog& dialog, const std::filesystem::path& folder, FileDialogMode mode);
 void build_dialogs(const PanelInput& input, Panels& panels, Requests& requests);
 
 }  // namespace hooke

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 namespace hooke {
+namespace {
+
+constexpr std::string_view unknown = "\ufffd";
+
+}  // namespace
 
 std::string with_unit(double value, std::string_view unit) { return number_text(value) + (unit.empty() ? "" : " " + unit_text(unit)); }
 
@@ -28,15 +32,17 @@ std::string typed_text(double value) {
   return all;
 }
 
-std::string with_rare_characters(std::string typed, std::string_view before) {
-  constexpr std::string_view unknown = "\ufffd";
-  typed.resize(std::strlen(typed.c_str()));  // it may end in a NUL, where characters became shorter
-  for (std::size_t at = typed.find(unknown), from = 0; at != typed.npos; at = typed.find(unknown, at + 4), from += 4) {
-    while (from < before.size() && (before[from] & 0xf8) != 0xf0) ++from;
-    if (from >= before.size()) break;
-    typed.replace(at, unknown.size(), before.substr(from, 4));
+RareCharacters::RareCharacters(std::string& text) : text_(text), before_(text) {
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if ((text[at] & 0xf8) == 0xf0) text.replace(at, 4, unknown);
+}
+
+RareCharacters::~RareCharacters() {
+  for (std::size_t at = text_.find(unknown), from = 0; at != text_.npos; at = text_.find(unknown, at + 4), from += 4) {
+    while (from < before_.size() && (before_[from] & 0xf8) != 0xf0) ++from;
+    if (from >= before_.size()) break;
+    text_.replace(at, unknown.size(), before_, from, 4);
   }
-  return typed;
 }
 
 std::string count(long n, std::string_view noun) { return std::to_string(n) + " " + std::string(noun) + (n == 1 ? "" : "s"); }

@@ -12,9 +12,18 @@ namespace hooke {
 std::string with_unit(double value, std::string_view unit);
 // Six digits that can be typed again: "1500000", "0.000025".
 std::string typed_text(double value);
-// The typed text with the characters of four bytes, such as emoji, of the text before: a text field of ImGui turns them into U+FFFD.
-std::string with_rare_characters(std::string typed, std::string_view before);
 // "3 points", "1 point"
 std::string count(long n, std::string_view noun);
+
+// Around a text field of ImGui, which knows no characters of four bytes, such as emoji: it has U+FFFD in their place.
+class RareCharacters {
+ public:
+  explicit RareCharacters(std::string& text);
+  ~RareCharacters();
+
+ private:
+  std::string& text_;
+  std::string before_;
+};
 
 }  // namespace hooke

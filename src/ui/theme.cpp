@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "draw/view.h"
 #include "ui/font_files.h"
 
 namespace hooke {
@@ -139,7 +140,7 @@ void use_look(Look look) {
   set_colors(ImGui::GetStyle().Colors);
 }
 
-Color background_of(Look look) { return look == Look::Dark ? Color{32, 36, 40} : Color{232, 235, 239}; }
+Color background_of(Look look) { return look == Look::Dark ? dark_background : light_background; }
 
 void load_theme(double scale, double density) {
   if (palette::text == 0) use_look(Look::Dark);

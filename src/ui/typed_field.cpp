@@ -99,11 +99,11 @@ bool text_field(std::string& text, float lines, Panels& panels) {
   const ImGuiID id = ImGui::GetID("##text");
   if (panels.field.typing == id) text = panels.field.typed_text;
   follow_text(text);
-  const std::string before = text;
   const float height = std::max(1.0f, lines) * ImGui::GetTextLineHeight() + units(8.0);
   ImGui::SetNextItemWidth(-1.0f);
-  const bool edited = lines > 0.0f ? ImGui::InputTextMultiline("##text", &text, {-1.0f, height}) : ImGui::InputText("##text", &text);
-  text = with_rare_characters(std::move(text), before);
+  bool edited = false;
+  if (const RareCharacters kept(text); true)
+    edited = lines > 0.0f ? ImGui::InputTextMultiline("##text", &text, {-1.0f, height}) : ImGui::InputText("##text", &text);
   const bool finished = ImGui::IsItemDeactivatedAfterEdit();
   if (ImGui::IsItemActive() || edited) {
     panels.field.typing = id;

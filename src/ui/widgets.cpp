@@ -133,4 +133,10 @@ void text_in(ImU32 color, const std::string& text) {
 
 void dim_text(const std::string& text) { text_in(palette::dim, text); }
 
+void strong_text(const std::string& text, ImU32 color) {
+  ImGui::PushFont(fonts().strong);
+  text_in(color, text);
+  ImGui::PopFont();
+}
+
 }  // namespace hooke

@@ -73,5 +73,6 @@ inline void same_line_for(const char* text) {
 
 void text_in(ImU32 color, const std::string& text);
 void dim_text(const std::string& text);
+void strong_text(const std::string& text, ImU32 color = palette::text);
 
 }  // namespace hooke

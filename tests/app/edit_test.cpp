@@ -126,6 +126,16 @@ TEST(UndoAndRedo, SayWhatTheyChanged) {
   EXPECT_EQ(gui.app().panels().messages.toast, "Undo: 2 steps");
 }
 
+TEST(UndoAndRedo, AnEditLikeTheOneThatWasUndoneIsNoRedo) {
+  GuiFixture gui(pair_and_one());
+  for (int times = 0; times < 2; ++times) {
+    gui.key(letter('A'), control);
+    gui.key(Key::Delete);
+    EXPECT_FALSE(gui.app().panels().messages.toast.starts_with("Redo"));
+    if (times == 0) gui.key(letter('Z'), control);
+  }
+}
+
 TEST(Copies, PassBetweenTwoInstancesAsText) {
   std::string board;
   const Clipboard shared{.put = [&](const std::string& text) { board = text; }, .take = [&] { return board; }};

@@ -11,6 +11,7 @@
 #include "support/apply_now.h"
 #include "support/flat_scene.h"
 #include "support/measured_lab.h"
+#include "support/small_net.h"
 
 namespace hooke {
 namespace {
@@ -125,7 +126,26 @@ TEST(SimulateTime, CountsWhatAutoComputesToChoose) {
   lab.submit(SetRunning{true});
   for (int frame = 0; frame < 10; ++frame) lab.advance(1.0 / 60.0, [] { return true; });
   lab.publish();
-  EXPECT_GT(lab.status()->run.simulate_ms, 0.001);
+  EXPECT_GT(lab.status()->run.simulate_ms(), 0.001);
+}
+
+TEST(SimulateTime, IsDividedIntoPhases) {
+  const auto times = [](const char* method) {
+    Scene scene = small_net();
+    scene.settings.integrator = find_integrator(method);
+    Lab lab(scene);
+    for (int frame = 0; frame < 10; ++frame) lab.step();
+    lab.measure_accuracy([] { return true; });
+    lab.step();
+    lab.publish();
+    return lab.status()->run;
+  };
+  const RunStatus implicit = times("implicit_euler"), verlet = times("velocity_verlet");
+  for (const Phase phase : {Phase::Forces, Phase::Contact, Phase::Solve, Phase::Accuracy}) EXPECT_GT(implicit.ms(phase), 0.0);
+  EXPECT_EQ(implicit.ms(Phase::Auto), 0.0);
+  EXPECT_EQ(verlet.ms(Phase::Solve), 0.0);
+  EXPECT_GT(verlet.ms(Phase::Contact), 0.0);
+  EXPECT_GT(times("auto").ms(Phase::Auto), 0.0);
 }
 
 // What was measured of the run that failed is gone when it goes on.

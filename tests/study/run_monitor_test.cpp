@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "lab/large_run.h"
+#include "lab/lab_parts.h"
 #include "sim/control/automatic.h"
 #include "sim/forces/energy/energy.h"
 #include "sim/forces/force_terms.h"

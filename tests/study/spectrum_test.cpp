@@ -54,6 +54,17 @@ TEST(Spectrum, NamesThePeakOfTheOscillationAndNotOfADrift) {
   EXPECT_FALSE(peak_of(drift, {&drift.traces.at(0)}));
 }
 
+// Of any number of values: 2.4 periods of 2 s.
+TEST(Spectrum, FindsAPeriodOfLessThanHalfOfTheTime) {
+  for (const int frames : {257, 289, 300, 311}) {
+    const TraceTable table = table_of(frames / 4.8, frames, [](double t) { return std::sin(M_PI * t); });
+    const TraceTable spectrum = spectrum_of(table, 0.0, 10.0);
+    const auto peak = peak_of(spectrum, {&spectrum.traces.at(0)});
+    ASSERT_TRUE(peak) << frames;
+    EXPECT_NEAR(*peak, 0.5, 0.04) << frames;
+  }
+}
+
 TEST(Spectrum, OfTooFewValuesIsEmpty) {
   EXPECT_TRUE(spectrum_of(table_of(60.0, 5, [](double t) { return t; }), 0.0, 1.0).times.empty());
 }

@@ -171,7 +171,7 @@ TEST_P(Layouts, ThePanelsLeaveTheSceneVisibleAndTheirTextUnclipped) {
   gui.key(letter('P'));
   gui.key(letter('A'), {.control = true});
   expect_in_order(gui, "with everything selected", "Selection");
-  gui.app().panels().panels_hidden = true;
+  gui.app().panels().shown.panels = false;
   expect_in_order(gui, "without panels", "File");
   gui.key(Key::Escape);
   gui.app().panels().view.springs = gui.app().panels().view.strain_colors = true;

@@ -78,6 +78,45 @@ TEST(Comparison, RunsInTheBackgroundUntilCanceled) {
   EXPECT_EQ(gui.text().find("Compare methods on this scene"), std::string::npos);
 }
 
+// The fastest that keeps most of the motion, when the comparison is done.
+TEST(Comparison, TheFastestStableMethodIsOneCommand) {
+  GuiFixture gui(two_springs());
+  gui.key(letter('F'), {.control = true, .shift = true});
+  gui.click(gui.find("comparison", {"Cancel"}));
+  ASSERT_TRUE(eventually_shows(gui, "Stopped."));
+  gui.app().panels().shown.takes_fastest = true;
+
+  MethodComparison done;
+  const auto add = [&](const char* method, double error, double ms) {
+    done.record.rows.push_back(
+        {.method = method, .setting = {}, .step = 1.0 / 1200.0, .error = error, .relative_error = error, .cpu_ms_per_s = ms});
+  };
+  add("runge_kutta4", 1e-6, 9.0);
+  add("symplectic_euler", 0.01, 2.0);
+  add("xpbd", 0.5, 1.0);
+  ImGui::NewFrame();
+  PanelInput input = gui.app().panel_input({});
+  input.results.comparison = {.result = std::make_shared<const MethodComparison>(done)};
+  Requests requests;
+  build_panels(input, gui.app().panels(), requests);
+  ImGui::Render();
+  for (const Request& request : requests) gui.app().handle(request);
+  EXPECT_EQ(gui.status().snapshot->settings.integrator, find_integrator("symplectic_euler"));
+  EXPECT_EQ(gui.status().snapshot->settings.substeps, 20);
+  EXPECT_EQ(gui.app().panels().messages.toast, "Fastest stable method: Symplectic Euler, 20 substeps");
+}
+
+TEST(Times, AreShownByPhaseWithTheirHistory) {
+  GuiFixture gui(two_springs());
+  gui.key(letter('U'), {.control = true, .shift = true});
+  gui.key(Key::Space);
+  gui.frames(20);
+  const std::string words = gui.text();
+  for (const char* phase : {"Forces", "Contact", "Implicit solve", "Accuracy", "Auto", "Draw"})
+    EXPECT_NE(words.find(phase), std::string::npos) << phase;
+  EXPECT_GE(gui.app().panels().times.history[1].size(), 20u);
+}
+
 TEST(Comparison, ThePaletteFindsIt) {
   for (const char* word : {"compare", "error", "accuracy"}) {
     GuiFixture gui(two_springs());

@@ -123,7 +123,7 @@ TEST(Legend, IsBelowTheSceneWhereTheSidePanelIsHidden) {
   gui.key(Key::Tab);
   for (const glm::dvec2& size : {glm::dvec2(1280.0, 800.0), {700.0, 450.0}, {300.0, 400.0}}) {
     gui.resize(size, 1.0);
-    ASSERT_TRUE(gui.app().panels().panels_hidden);
+    ASSERT_FALSE(gui.app().panels().shown.panels);
     EXPECT_NE(gui.text().find("Strain"), std::string::npos);
     const Layout& layout = gui.app().layout();
     EXPECT_EQ(layout.scene.y + layout.scene.height, layout.legend.y);

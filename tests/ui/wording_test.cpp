@@ -108,8 +108,15 @@ TEST(Wording, OfAnEmptyFolderNamesWhatTheDialogLists) {
 
 // ImGui shows such a character as U+FFFD, and would write that into the name of a file.
 TEST(Wording, OfNamesKeepsEmojiInTextFields) {
-  EXPECT_EQ(with_rare_characters("a \ufffd 2 \ufffd.json", "a \U0001F388 \U0001F389.json"), "a \U0001F388 2 \U0001F389.json");
-  EXPECT_EQ(with_rare_characters("a \ufffd", "a"), "a \ufffd") << "pasted";
+  std::string name = "a \U0001F388 \U0001F389.json", pasted = "a";
+  {
+    const RareCharacters kept(name), none(pasted);
+    EXPECT_EQ(name, "a \ufffd \ufffd.json") << "with the length that is drawn";
+    name.insert(5, " 2");
+    pasted += " \ufffd";
+  }
+  EXPECT_EQ(name, "a \U0001F388 2 \U0001F389.json");
+  EXPECT_EQ(pasted, "a \ufffd");
 }
 
 }  // namespace

@@ -205,14 +205,7 @@ std::filesystem::path Document::start_folder() const {
 
 // The view of the window is saved with the scene. The result runs on another thread, so it holds a copy.
 std::function<void(Scene&)> Document::add_view_settings() const {
-  return [view = panels_.view](Scene& scene) {
-    scene.view.surface = view.surface;
-    scene.view.springs = view.springs;
-    scene.view.points = view.points;
-    scene.view.strain_colors = view.strain_colors;
-    scene.view.coils = view.coils;
-    scene.view.shadows = view.shadows;
-  };
+  return [view = panels_.view](Scene& scene) { copy_visible_parts(view, scene.view); };
 }
 
 }  // namespace hooke

@@ -1,5 +1,6 @@
 #include "app/window/imgui_backend.h"
 
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
@@ -17,7 +18,15 @@ ImGuiBackend::~ImGuiBackend() {
   ImGui::DestroyContext();
 }
 
-void ImGuiBackend::key(int key, int scancode, int action, int mods) { ImGui_ImplGlfw_KeyCallback(window_, key, scancode, action, mods); }
+void ImGuiBackend::key(int key, int scancode, int action, int mods) {
+  ImGui_ImplGlfw_KeyCallback(window_, key, scancode, action, mods);
+  // it takes the modifiers that are down now, which may be after their release
+  if (action != GLFW_PRESS || key >= GLFW_KEY_LEFT_SHIFT) return;
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyCtrl = (mods & GLFW_MOD_CONTROL) != 0;
+  io.KeyShift = (mods & GLFW_MOD_SHIFT) != 0;
+  io.KeyAlt = (mods & GLFW_MOD_ALT) != 0;
+}
 void ImGuiBackend::character(unsigned code) { ImGui_ImplGlfw_CharCallback(window_, code); }
 void ImGuiBackend::button(int button, int action, int mods) { ImGui_ImplGlfw_MouseButtonCallback(window_, button, action, mods); }
 void ImGuiBackend::scroll(double x, double y) { ImGui_ImplGlfw_ScrollCallback(window_, x, y); }

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <string>
 #include <utility>
 
 #include "app/work/background_task.h"
@@ -16,11 +15,11 @@ class ResultTask {
  public:
   using Compute = std::function<Result(const Progress&)>;
 
-  // Does nothing while one is running. `what`: "Comparing methods". `compute` must not throw, and ends early if its progress returns false.
-  void start(std::string what, Compute compute) {
+  // Does nothing while one is running. `compute` must not throw, and ends early if its progress returns false.
+  void start(Compute compute) {
     if (is_running()) return;
     newest_.reset();
-    next_ = {std::move(what), std::move(compute)};
+    next_ = std::move(compute);
     start_next();
   }
   void stop() {
@@ -37,7 +36,7 @@ class ResultTask {
   void follow() {
     if (task_.follow()) start_next();
   }
-  bool is_running() const { return next_.compute || (task_.is_running() && !is_outdated_); }
+  bool is_running() const { return next_ || (task_.is_running() && !is_outdated_); }
   // For the panel.
   ResultStatus<Result> status() const {
     const bool is_computed = task_.is_running() && !is_outdated_;
@@ -48,16 +47,11 @@ class ResultTask {
   }
 
  private:
-  struct Next {
-    std::string what;
-    Compute compute;
-  };
   // At once, or when the outdated computation has stopped.
   void start_next() {
-    if (task_.is_running() || !next_.compute) return;
+    if (task_.is_running() || !next_) return;
     is_outdated_ = false;
-    Next next = std::exchange(next_, {});
-    task_.start(std::move(next.what), [this, compute = std::move(next.compute)](const Progress& progress) -> BackgroundTask::Completion {
+    task_.start({}, [this, compute = std::exchange(next_, {})](const Progress& progress) -> BackgroundTask::Completion {
       auto result = std::make_shared<const Result>(compute(progress));
       return [this, result] {
         if (!is_outdated_) newest_ = result;
@@ -65,7 +59,7 @@ class ResultTask {
     });
   }
 
-  Next next_;
+  Compute next_;
   bool is_outdated_ = false;  // the computation in progress
   std::shared_ptr<const Result> newest_;
   BackgroundTask task_;  // last: the destructor waits for it before anything that it uses is destroyed

@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "lab/accuracy/accuracy_mode.h"
 #include "lab/accuracy/energy_accounts.h"
 #include "lab/accuracy/frame_repetition.h"
 #include "lab/accuracy/second_runs.h"
+#include "lab/controls.h"
 #include "sim/model/accuracy.h"
 
 namespace hooke {

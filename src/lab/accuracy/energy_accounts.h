@@ -9,9 +9,19 @@ namespace hooke {
 class EnergyAccounts {
  public:
   // Starts at this state with its energy [J].
-  void start(const State& state, double energy);
+  void start(const State& state, double energy) {
+    balance_ = {.since = state.time};
+    start_ = energy;
+    net_input_ = state.supply.net_input;
+  }
   // The frame that led from `before` to `after`, whose energy is `energy` [J].
-  void add_frame(const Plan& plan, const State& before, const State& after, const Motion& motion, double energy);
+  void add_frame(const Plan& plan, const State& before, const State& after, const Motion& motion, double energy) {
+    // what was supplied before the frame contains the edits since the last one
+    balance_.ledger.add(EnergyCause::Edits, before.supply.net_input - net_input_);
+    balance_.ledger += explained(motion.energy, plan.hand.held || plan.collider_paths.any_moves);
+    balance_.change = energy - start_;
+    net_input_ = after.supply.net_input;
+  }
 
   const EnergyBalance& balance() const { return balance_; }
 

@@ -15,6 +15,7 @@ class ShadowRun {
   void set_plan(const Plan& plan) {
     plan_ = plan;
     plan_.execution.single.reset();
+    plan_.execution.phases = nullptr;
   }
   const Plan& plan() const { return plan_; }
   void start(const State& state) { state_ = state, is_in_frame_ = false; }

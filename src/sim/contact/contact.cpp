@@ -10,6 +10,7 @@
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/spring_limits.h"
 #include "sim/forces/terms/sticking.h"
+#include "sim/plan/phase_times.h"
 
 namespace hooke {
 namespace {
@@ -184,6 +185,7 @@ bool resolve_all(const Plan& plan, ContactWorkspace& before, Motion& motion, dou
 }  // namespace
 
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
+  const InPhase in(plan.execution.phases, Phase::Contact);
   before.free_v = motion.v;
   find_obstacles(plan, before.time, h, before.obstacles);
   before.first_touch = before.first_impact = never;

@@ -8,6 +8,7 @@
 #include "sim/control/step_controller.h"
 #include "sim/methods/passage_step.h"
 #include "sim/model/portable_math.h"
+#include "sim/plan/phase_times.h"
 
 namespace hooke {
 namespace {
@@ -85,6 +86,7 @@ double FrameRunner::max_cost_of_events(const Plan& plan) const {
 }
 
 void FrameRunner::start(Plan& plan, int substeps) {
+  if (plan.execution.phases != nullptr) plan.execution.phases->move_to_auto();
   if (!plan.spring.break_length.empty()) refresh_values(plan, *system_);  // restores springs that broke in the run before
   settings_.integrator = choice_.method;
   settings_.substeps = substeps;

@@ -20,6 +20,7 @@
 #include "sim/methods/implicit/linear_solver.h"
 #include "sim/methods/linear_spring.h"
 #include "sim/methods/rows.h"
+#include "sim/plan/phase_times.h"
 
 namespace hooke {
 namespace {
@@ -38,6 +39,7 @@ class GlobalMatrix final : public Structure {
 
   // For steps of h in which a force acts for phi [s].
   void prepare(const Plan& plan, double h, double phi) {
+    const InPhase in(plan.execution.phases, Phase::Solve);
     set_weights(plan, h, phi);
     if (weights_ == factored_) return;
     factored_ = weights_;
@@ -49,6 +51,7 @@ class GlobalMatrix final : public Structure {
 
   // b becomes A^-1 b. Counts its cost, and that of what `prepare` factored before.
   void solve(const Plan& plan, Field& b, StepCounts& counts) {
+    const InPhase in(plan.execution.phases, Phase::Solve);
     const std::size_t n = plan.points;
     for (std::size_t at = 0; at < b.size(); at += n) solvers_[at / n % matrix_count(plan)].solve(std::span(b).subspan(at, n));
     clear_fixed_axes(plan, b.data());

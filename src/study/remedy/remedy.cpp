@@ -51,6 +51,9 @@ constexpr double max_energy_rise = 1.0;
 // Of the work of a search: to repeat the divergence and to find its cause.
 constexpr double share_of_diagnosis = 0.25;
 
+// Of the second search, relative to the first, and the part of it that a setting may take.
+constexpr double more_work = 8.0, max_share = 1.0 / 8.0;
+
 // Frame by frame, with the warnings and the monitor of `hooke run`.
 Trial run_copy(Scene scene, double seconds, Budget& budget) {
   const double start = scene.state.time, given = budget.left;
@@ -161,13 +164,17 @@ std::vector<Advice> settings_of(const Integrator& method, const Scene& start, co
 }
 
 // The methods to try: the present one, the default one, then those that are stable at any step, the others, and those that choose their
-// steps: these first where no number of substeps resolves a passage.
-std::vector<const Integrator*> methods_to_try(const Settings& settings, const StepLimits& limits) {
+// steps: these first where no number of substeps resolves a passage. `any`: before them, methods that are stable, but not for production.
+std::vector<const Integrator*> methods_to_try(const Settings& settings, const StepLimits& limits, bool any) {
+  const auto is_only_stable = [&](const Integrator& method) {
+    return any && !method.for_production && (is_unconditionally_stable(method) || method.stability == Stability::EachSpring);
+  };
   std::vector<const Integrator*> methods;
   for (const Integrator& method : integrators())
-    if (method.for_production || &method == settings.integrator) methods.push_back(&method);
+    if (method.for_production || &method == settings.integrator || is_only_stable(method)) methods.push_back(&method);
   const bool is_for_adaptive = !limits.resolving_substeps(default_integrator(), settings.frame_rate);
   const auto rank = [&](const Integrator* method) {
+    if (is_only_stable(*method)) return 0;
     if (method->stability == Stability::Adaptive) return is_for_adaptive ? 0 : 5;
     if (method == settings.integrator) return 1;
     if (method == &default_integrator()) return 2;
@@ -203,8 +210,14 @@ std::optional<int> linear_limit(const Integrator& method, const Scene& scene) {
 // Tests settings on copies, and keeps the best of each method.
 class SettingSearch {
  public:
-  SettingSearch(const Scene& start, double seconds, double diverged_after, Budget budget, Remedy& remedy)
-      : start_(start), seconds_(seconds), diverged_after_(diverged_after), budget_(budget), remedy_(remedy) {}
+  SettingSearch(const Scene& start, double seconds, double diverged_after, double max_work, bool any, Budget budget, Remedy& remedy)
+      : start_(start),
+        seconds_(seconds),
+        diverged_after_(diverged_after),
+        max_work_(max_work),
+        any_(any),
+        budget_(budget),
+        remedy_(remedy) {}
 
   void try_method(const Integrator& method, const StepLimits& limits, const RemedyProgress& progress) {
     const std::vector<Advice> settings = settings_of(method, start_, limits);
@@ -216,10 +229,11 @@ class SettingSearch {
       }
       if (progress) progress("Testing " + describe(settings[i]));
       // no setting takes more than half of the rest, nor, except to keep the method, more than the cheapest that was found
-      const double half = 0.5 * budget_.left, allowed = is_present ? half : std::min(half, cheapest_work_);
+      const double half = std::min(0.5 * budget_.left, max_work_), allowed = is_present ? half : std::min(half, cheapest_work_);
       const Trial trial = run(settings[i], allowed);
       if (keep(settings[i], trial, is_present)) return;
-      if (trial.end != Trial::End::OutOfBudget) continue;
+      // with more substeps, what would do but for the energy that it gains may do
+      if (trial.end != Trial::End::OutOfBudget || (trial.gains && trial.seconds >= 2.0 * diverged_after_)) continue;
       // more substeps would take longer still
       if (allowed < half) return;
       ++remedy_.settings_cut_short;
@@ -270,24 +284,22 @@ class SettingSearch {
     if (!best || setting.duration < best->duration) best = setting;
     if (is_present && !same_method_[rank]) same_method_[rank] = setting;
     if (rank == Tested) cheapest_work_ = std::min(cheapest_work_, trial.work);
+    if (rank == PartlyTested && any_) cheapest_work_ = std::min(cheapest_work_, 2e9 * diverged_after_ * setting.duration);
     return rank == Tested;
   }
 
   const Scene& start_;
-  const double seconds_, diverged_after_;
+  const double seconds_, diverged_after_, max_work_;
+  const bool any_;
   Budget budget_;
   Remedy& remedy_;
   double cheapest_work_ = std::numeric_limits<double>::infinity();  // [ns], of a test without warnings
   std::optional<TestedSetting> cheapest_[Ranks], same_method_[Ranks];
 };
 
-}  // namespace
-
-bool may_reach(double frames, double points, double springs) {
-  return work_beside_substeps(points, springs, frames) <= share_of_diagnosis * default_remedy_work;
-}
-
-Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, const RemedyProgress& progress) {
+// `any`: with any method, each setting with a share of the work.
+Remedy search(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, bool any,
+              const RemedyProgress& progress) {
   const auto report = [&](const std::string& test) {
     if (progress) progress(test);
   };
@@ -306,10 +318,23 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
 
   const Budget left{max_work - (share_of_diagnosis * max_work - std::max(0.0, diagnosis.left)), stop};
   const StepLimits limits(bound_spectrum(start.system), step_needs(start.system, start.state));
-  SettingSearch search(start, seconds, diverged_after, left, remedy);
-  for (const Integrator* method : methods_to_try(start.settings, limits)) search.try_method(*method, limits, progress);
-  search.finish();
+  SettingSearch tested(start, seconds, diverged_after, any ? max_share * max_work : max_work, any, left, remedy);
+  for (const Integrator* method : methods_to_try(start.settings, limits, any)) tested.try_method(*method, limits, progress);
+  tested.finish();
   return remedy;
+}
+
+}  // namespace
+
+bool may_reach(double frames, double points, double springs) {
+  return work_beside_substeps(points, springs, frames) <= share_of_diagnosis * more_work * default_remedy_work;
+}
+
+Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, const RemedyProgress& progress) {
+  const Remedy remedy = search(start, seconds, stop, max_work, false, progress);
+  const bool is_cut_short = remedy.cause == Remedy::Cause::SearchLimit || remedy.settings_cut_short > 0;
+  if (remedy.cheapest || !is_cut_short || stop) return remedy;
+  return search(start, seconds, stop, more_work * max_work, true, progress);
 }
 
 Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const RemedyProgress& report) {

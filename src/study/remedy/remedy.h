@@ -49,7 +49,7 @@ struct Remedy {
 };
 
 // [ns], a limit on the work of all copies of one search, by a fixed model of what it takes: the same on every machine, of which the default
-// takes a second or two.
+// takes a second or two. Where that is too little to find anything, a second search takes eight times as much, and any method.
 inline constexpr double default_remedy_work = 1.5e9;
 
 // Whether a search for a remedy may reach a divergence that is so many frames after its start. A bound: for a scene that is too large for

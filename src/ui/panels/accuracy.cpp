@@ -20,9 +20,7 @@ namespace {
 
 void heading(const char* text) {
   ImGui::Dummy({0.0f, units(4.0)});
-  ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
+  strong_text(text);
 }
 
 void explanation(const char* text) {

@@ -5,7 +5,7 @@
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
 #include "lab/recording.h"
-#include "ui/file_browser.h"
+#include "ui/panels.h"
 #include "ui/widgets.h"
 #include "ui/wrapped_text.h"
 

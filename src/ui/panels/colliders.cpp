@@ -12,8 +12,10 @@ std::optional<Collider> collider_rows(const Collider& collider, int dimensions, 
   for (const ColliderNumber& row : collider_numbers()) {
     if (!row.applies(collider) || (row.is_3d_only && dimensions == 2)) continue;
     ImGui::PushID(row.label.data());
+    // all that turns in a flat scene turns about z
+    const std::string_view label = dimensions == 2 && row.label == "Spin z" ? "Spin" : row.label;
     const TypedField field{
-        .label = row.label, .unit = row.unit, .description = row.description, .min = row.min, .max = row.max, .value = row.read(collider)};
+        .label = label, .unit = row.unit, .description = row.description, .min = row.min, .max = row.max, .value = row.read(collider)};
     if (const auto value = typed_row(field, panels)) {
       changed = collider;
       row.write(*changed, *value);

@@ -279,9 +279,16 @@ void buttons(const PanelInput& input, Panels& panels, Requests& requests) {
       }
       ImGui::EndPopup();
     }
-    if (const Row* row = fastest(status.result->record, settings); row != nullptr && !status.is_running) {
+    const Row* row = status.is_running ? nullptr : fastest(status.result->record, settings);
+    const bool is_wanted = !status.is_running && std::exchange(panels.shown.takes_fastest, false);
+    if (row == nullptr) {
+      if (is_wanted) panels.show_toast("No method is stable here with an error below 10 %");
+    } else {
       ImGui::SameLine();
-      if (ImGui::Button("Fastest", {units(62.0), units(30.0)})) use(*row, settings, requests);
+      if (ImGui::Button("Fastest", {units(62.0), units(30.0)}) || (is_wanted && status.result->note != "Stopped.")) {
+        use(*row, settings, requests);
+        panels.show_toast("Fastest stable method: " + setting_text(*row, settings.frame_rate));
+      }
       tooltip("Use the fastest with an error below 10 %: " + setting_text(*row, settings.frame_rate));
     }
   }
@@ -298,9 +305,7 @@ void build_comparison(const PanelInput& input, Panels& panels, Requests& request
   if (!panels.shown.comparison) return;
   const Dock dock = dock_panel(input.layout, units(1.0), left_panel_width(input, panels, 600.0), 400.0);
   DockedPanel panel("comparison", dock, panels);
-  ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted("Compare methods on this scene");
-  ImGui::PopFont();
+  strong_text("Compare methods on this scene");
   panel.begin_content();
 
   const ResultStatus<MethodComparison>& status = input.results.comparison;

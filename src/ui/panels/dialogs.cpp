@@ -8,7 +8,6 @@
 #include "base/option_error.h"
 #include "base/printable.h"
 #include "formats/file_kind.h"
-#include "ui/file_browser.h"
 #include "ui/panels.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
@@ -65,10 +64,9 @@ void path_line(Panels& panels) {
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::PushID(shown);
   follow_text(panels.dialog.typed);
-  const std::string before = panels.dialog.typed;
+  const RareCharacters kept(panels.dialog.typed);
   ImGui::InputTextWithHint("##path", "Name or path", &panels.dialog.typed, ImGuiInputTextFlags_CallbackAlways, select_name,
                            &panels.dialog.selects_name);
-  panels.dialog.typed = with_rare_characters(std::move(panels.dialog.typed), before);
   ImGui::PopID();
 }
 
@@ -275,9 +273,7 @@ void build_dialogs(const PanelInput& input, Panels& panels, Requests& requests) 
   if (ImGui::BeginPopupModal(
           row.title, nullptr,
           ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
-    ImGui::PushFont(fonts().strong);
-    ImGui::TextUnformatted(heading.c_str());
-    ImGui::PopFont();
+    strong_text(heading);
     ImGui::Dummy({0.0f, units(4.0)});
     if (input.presses(PanelKey::Target::Dialog, Key::Enter) > 0 && has_focused_item()) press_focused_item();
     begin_tab_stops();

@@ -116,9 +116,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   begin_front_box("export", {units(20.0), units(16.0)});
   panels.floating.push_back(current_window());
 
-  ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted("Export");
-  ImGui::PopFont();
+  strong_text("Export");
   begin_tab_stops();
   ImGui::BeginDisabled(input.export_work.is_running);
   kinds(export_state, input.status.snapshot->system->dimensions == 2);
@@ -129,9 +127,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   dim_text("Path");
   if (export_state.is_new) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1.0f);
-  const std::string before = export_state.path;
-  ImGui::InputText("##path", &export_state.path);
-  export_state.path = with_rare_characters(std::move(export_state.path), before);
+  if (const RareCharacters kept(export_state.path); true) ImGui::InputText("##path", &export_state.path);
   ImGui::EndDisabled();
   export_state.is_new = false;
   ImGui::Dummy({0.0f, units(4.0)});

@@ -4,7 +4,6 @@
 #include "sim/model/system.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
-#include "ui/panels/open_list.h"
 #include "ui/widgets.h"
 
 namespace hooke {

@@ -35,8 +35,9 @@ void picture(const Panels& panels, std::size_t number, const ImVec2& min, const 
   const ImVec2 max{min.x + grid.card, min.y + grid.picture};
   const float round = units(7.0);
   if (panels.gallery.thumbnails == nullptr) return list.AddRectFilled(min, max, palette::raised, round, ImDrawFlags_RoundCornersTop);
-  const auto count = static_cast<int>(gallery_cards().size()), rows = (count + thumbnail_columns - 1) / thumbnail_columns;
-  const int column_index = static_cast<int>(number) % thumbnail_columns, row_index = static_cast<int>(number) / thumbnail_columns;
+  const auto count = static_cast<int>(gallery_cards().size()), rows = 2 * ((count + thumbnail_columns - 1) / thumbnail_columns);
+  const int column_index = static_cast<int>(number) % thumbnail_columns,
+            row_index = 2 * (static_cast<int>(number) / thumbnail_columns) + (panels.look == Look::Light ? 1 : 0);
   const auto column = static_cast<float>(column_index), row = static_cast<float>(row_index);
   // inset by half a pixel, to prevent bleeding from neighboring pictures
   const ImVec2 half{0.5f / (thumbnail_columns * thumbnail_width), 0.5f / static_cast<float>(rows * thumbnail_height)};
@@ -81,9 +82,7 @@ float card_height(std::size_t number, const CardGrid& grid) {
 
 void heading(const std::string& title) {
   ImGui::Dummy({0.0f, units(10.0)});
-  ImGui::PushFont(fonts().strong);
-  text_in(palette::accent, title);
-  ImGui::PopFont();
+  strong_text(title, palette::accent);
   ImGui::Dummy({0.0f, units(2.0)});
 }
 
@@ -127,9 +126,7 @@ void build_gallery(const PanelInput& input, Panels& panels, Requests& requests) 
   panels.floating.push_back(page);
 
   ImGui::Dummy({0.0f, units(6.0)});
-  ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted("Gallery");
-  ImGui::PopFont();
+  strong_text("Gallery");
   paragraph("Open a scene to run, change and save it under another name. Arrow keys and Enter select one, Esc returns.", palette::dim);
   const CardGrid grid = grid_for(static_cast<float>(page.width) - 2.0f * units(margin));
   for (std::size_t first = 0; first < gallery_cards().size();) first = group(input, panels, first, grid, requests);

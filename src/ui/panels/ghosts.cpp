@@ -145,9 +145,7 @@ void build_ghosts(const PanelInput& input, Panels& panels, Requests& requests) {
   Ghosts& ghosts = panels.ghosts;
   if (!ghosts.is_shown) return;
   DockedPanel panel("ghosts", dock_panel(input.layout, units(1.0), left_panel_width(input, panels, 372.0), 400.0), panels);
-  ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted("Compare side by side");
-  ImGui::PopFont();
+  strong_text("Compare side by side");
   panel.begin_content();
   const CompanionsStatus& status = input.status.companions;
   const auto ghost = [&](std::size_t n) { return n < status.list.size() ? &status.list[n] : nullptr; };

@@ -46,9 +46,7 @@ std::vector<Group> all_groups() {
 
 void build_group(const Group& group) {
   ImGui::Dummy({0.0f, units(3.0)});
-  ImGui::PushFont(fonts().strong);
-  text_in(palette::accent, std::string(group.title));
-  ImGui::PopFont();
+  strong_text(std::string(group.title), palette::accent);
   for (const Line& line : group.lines) {
     ImGui::TextUnformatted(line.left.c_str());
     ImGui::SameLine(units(group.indent));

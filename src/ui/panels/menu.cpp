@@ -10,7 +10,6 @@
 #include "formats/scene_file.h"
 #include "formats/texture.h"
 #include "ui/panels.h"
-#include "ui/panels/open_list.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
 

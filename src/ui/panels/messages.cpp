@@ -45,9 +45,7 @@ void build_messages(const PanelInput& input, Panels& panels) {
   Messages& messages = panels.messages;
   if (!messages.is_shown) return;
   DockedPanel panel("messages", dock_panel(input.layout, units(1.0), left_panel_width(input, panels, 420.0), 400.0), panels);
-  ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted("Messages");
-  ImGui::PopFont();
+  strong_text("Messages");
   panel.begin_content();
   if (messages.entries.empty()) dim_text("None so far");
   // the newest first

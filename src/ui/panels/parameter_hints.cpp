@@ -1,10 +1,11 @@
-#include "ui/panels/parameter_hints.h"
-
+// The effect of a parameter on the current scene: a line below its slider.
 #include <cmath>
 
+#include "scene/parameters.h"
 #include "sim/methods/integrator.h"
 #include "study/forecast.h"
 #include "ui/number_field.h"
+#include "ui/panels.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
 #include "ui/wrapped_text.h"

@@ -11,8 +11,6 @@
 #include "ui/number_field.h"
 #include "ui/panels.h"
 #include "ui/panels/mixed_values.h"
-#include "ui/panels/open_list.h"
-#include "ui/panels/parameter_hints.h"
 #include "ui/widgets.h"
 #include "ui/wrapped_text.h"
 

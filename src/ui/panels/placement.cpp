@@ -7,7 +7,7 @@
 #include "ui/docked_panel.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
-#include "ui/panels/open_list.h"
+#include "ui/text.h"
 #include "ui/widgets.h"
 #include "ui/wrapped_text.h"
 
@@ -66,7 +66,7 @@ void mesh_rows(const PanelInput& input, Placement& placement, Panels& panels, Re
   constexpr const char* browse = "Browse...";
   const float button = ImGui::CalcTextSize(browse).x + units(24.0);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - units(8.0));
-  ImGui::InputText("##mesh", &placement.mesh_path);
+  if (const RareCharacters kept(placement.mesh_path); true) ImGui::InputText("##mesh", &placement.mesh_path);
   if (ImGui::IsItemDeactivatedAfterEdit() && !placement.mesh_path.empty()) requests.emplace_back(LoadMesh{placement.mesh_path});
   ImGui::SameLine();
   if (ImGui::Button(browse, {button, 0.0f})) {
@@ -152,11 +152,9 @@ void build_placement(const PanelInput& input, Panels& panels, Requests& requests
   Placement& placement = panels.placement;
   if (!placement.is_on()) return;
   DockedPanel panel("placing", placement_dock(input.layout, units(1.0)), panels);
-  ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted(placement.collider  ? kind_of(*placement.collider).label.data()
-                         : placement.is_mesh ? "From a mesh"
-                                             : placement.shape.kind->label.data());
-  ImGui::PopFont();
+  strong_text(placement.collider  ? kind_of(*placement.collider).label.data()
+              : placement.is_mesh ? "From a mesh"
+                                  : placement.shape.kind->label.data());
   panel.begin_content();
   placement_rows(input, placement, panels, requests);
   panel.end_content();

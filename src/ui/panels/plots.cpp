@@ -6,7 +6,6 @@
 
 #include "study/spectrum.h"
 #include "ui/panels.h"
-#include "ui/panels/open_list.h"
 #include "ui/plot_axis.h"
 #include "ui/text.h"
 #include "ui/widgets.h"

@@ -65,9 +65,7 @@ void buttons(const ResultStatus<ResultCheck>& status, Panels& panels, Requests& 
 void build_result_check(const PanelInput& input, Panels& panels, Requests& requests) {
   if (!panels.shown.result_check) return;
   DockedPanel panel("result_check", dock_panel(input.layout, units(1.0), left_panel_width(input, panels, 500.0), 400.0), panels);
-  ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted("Check this result");
-  ImGui::PopFont();
+  strong_text("Check this result");
   panel.begin_content();
   const ResultStatus<ResultCheck>& status = input.results.result_check;
   if (status.is_running) {

@@ -5,7 +5,6 @@
 
 #include "ui/number_field.h"
 #include "ui/panels.h"
-#include "ui/panels/open_list.h"
 #include "ui/typed_field.h"
 #include "ui/widgets.h"
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "ui/theme.h"
-#include "ui/tool_buttons.h"
 #include "ui/wrapped_text.h"
 
 namespace hooke {

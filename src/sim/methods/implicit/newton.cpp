@@ -20,6 +20,7 @@
 #include "sim/forces/forces.h"
 #include "sim/forces/spring_laws.h"
 #include "sim/methods/constants.h"
+#include "sim/plan/phase_times.h"
 
 namespace hooke {
 namespace {
@@ -118,6 +119,7 @@ void NewtonSolver::evaluate(const Plan& plan, const Stage& stage, const Field& V
 
 void NewtonSolver::factorize(const Plan& plan, const Stage& stage, Curvature curvature, const Field& V, const Field& term_velocity,
                              Motion& motion) {
+  const InPhase in(plan.execution.phases, Phase::Solve);
   matrix_->linearize_forces(plan, stage.time, x_, term_velocity);
   matrix_->assemble(plan, stage.b, x_, V, curvature);
   ++motion.counts.factorizations;
@@ -131,6 +133,7 @@ void NewtonSolver::factorize(const Plan& plan, const Stage& stage, Curvature cur
 
 // step_ = -A^-1 grad Phi
 void NewtonSolver::compute_step(const Plan& plan, Motion& motion) {
+  const InPhase in(plan.execution.phases, Phase::Solve);
   set_scaled(step_.data(), -1.0, residual_.data(), step_.size());
   matrix_->solve(step_);
   clear_fixed_axes(plan, step_.data());
