@@ -78,6 +78,8 @@ void App::build_frame(const FrameStatistics& frame_statistics) {
   work_.follow(status(), panels_, lab_);
   const std::size_t gas_releases = status().run.gas_releases;
   if (gas_releases > std::exchange(gas_releases_, gas_releases)) panels_.show_toast("A tear released the gas of a surface");
+  if (const std::string& refusal = status().run.device_refusal; refusal != std::exchange(device_refusal_, refusal) && !refusal.empty())
+    panels_.show_toast("Computed on the CPU: " + refusal);
   if (const std::string notice = std::exchange(tool_context_.notice, {}); !notice.empty()) panels_.show_toast(notice);
   const auto history = std::exchange(history_, status().history.list);
   if (history && history != history_)

@@ -101,6 +101,7 @@ class App {
   void show_messages();
   void choose_texture(const std::string& typed);
   void switch_muscles();
+  void switch_device();
   void show(const Scene& scene);
   void take_switches(const ViewSettings& view);
   void update_marks();
@@ -108,6 +109,7 @@ class App {
 
   LabThread lab_;
   std::size_t gas_releases_ = 0;                // announced so far
+  std::string device_refusal_;                  // announced
   std::shared_ptr<const HistoryList> history_;  // of the last frame
   ToolContext tool_context_;
   Panels panels_;

@@ -12,12 +12,16 @@
 
 namespace hooke {
 
+class FrameDevice;
+
 // The frame that is being computed.
 struct FrameProgress {
   bool in_frame = false;
   bool must_finish = false;         // an edit discarded the previous frame
   std::vector<Command> held_edits;  // applied while a frame that they do not affect is in progress; recorded after it
   State end;                        // result of the frame
+  // Computes the frames of scenes that it does not refuse; null: the processor computes all.
+  std::shared_ptr<FrameDevice> device;
 };
 
 // What is measured of the run.
