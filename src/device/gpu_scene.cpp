@@ -9,6 +9,11 @@
 #include "sim/methods/rows.h"
 
 namespace hooke {
+namespace {
+
+std::vector<float> rounded(std::span<const double> numbers) { return {numbers.begin(), numbers.end()}; }
+
+}  // namespace
 
 // `content`: null where passes write it.
 void GpuScene::fill(GLuint& buffer, std::size_t bytes, const void* content) {
@@ -23,10 +28,17 @@ void GpuScene::fill(GLuint& buffer, std::size_t bytes, const void* content) {
   if (content != nullptr) sent_bytes_ += bytes;
 }
 
-void GpuScene::fill(GLuint& buffer, std::span<const double> numbers) {
-  if (!is_single_) return fill(buffer, numbers.size_bytes(), numbers.data());
-  const std::vector<float> rounded(numbers.begin(), numbers.end());
-  fill(buffer, rounded.size() * sizeof(float), rounded.data());
+// Whether it differs from what the buffer contains, and was sent.
+bool GpuScene::put(Binding binding, std::span<const std::byte> bytes) {
+  std::vector<std::byte>& content = contents_[binding];
+  if (buffers_[binding] != 0 && std::ranges::equal(content, bytes)) return false;
+  content.assign(bytes.begin(), bytes.end());
+  fill(buffers_[binding], bytes.size(), bytes.data());
+  return true;
+}
+
+bool GpuScene::put(Binding binding, std::span<const double> numbers) {
+  return is_single_ ? put(binding, std::as_bytes(std::span<const float>(rounded(numbers)))) : put(binding, std::as_bytes(numbers));
 }
 
 template <class Number>
@@ -45,42 +57,36 @@ std::vector<double> GpuScene::read_numbers(GLuint buffer, std::size_t count) con
 }
 
 void GpuScene::upload(const FrameSteps& steps, const Motion& motion) {
-  if (revision_ != plan_->spring.revision) upload_scene();
-  // also where the hand takes or releases a point
-  if (inverse_mass_ != plan_->inverse_mass) {
-    inverse_mass_ = plan_->inverse_mass;
+  const Plan& plan = *plan_;
+  if (!is_grid(plan) && (plan.spring.runs != runs_ || graph_.neighbors.first.size() != static_cast<std::size_t>(plan.points) + 1)) {
+    runs_ = plan.spring.runs;
+    graph_ = graph_of(plan);
+  }
+  put(FirstNeighbor, graph_.neighbors.first);
+  put(Neighbors, graph_.neighbors.items);
+  put(SpringEnds, graph_.ends);
+  put(BreakLimits, limit_numbers(plan));
+  put(Panels, std::as_bytes(std::span(plan.force_data.panels)));
+  const PointLists panels = plan.force_data.panels.empty() ? PointLists() : panels_of_points(plan);
+  put(FirstPanel, panels.first);
+  put(PanelsOfPoints, panels.items);
+  put(Radii, plan.radius);
+  put(FrameNumbers, frame_numbers(plan, steps));
+  put(Moments, moment_numbers(plan, steps, motion.time));
+  put(Colliders, collider_numbers(plan, steps, motion.time));
+  fill(buffers_[Events], std::as_bytes(std::span<const Index>(std::vector<Index>(static_cast<std::size_t>(steps.count), 0))));
+  if (accelerations_ != plan.points) fill(buffers_[Accelerations], state_bytes() / 3, nullptr);
+  accelerations_ = plan.points;
+  const bool has_masses = inverse_mass_ == plan.inverse_mass;  // not where the hand takes or releases a point
+  if (!has_masses)
     for (Resident& each : residents_) each.x.clear();
-    sweep_ = -1.0;
-  }
-  const double sweep = plan_->has_dashpots() && steps.method.splits_dashpots ? 0.5 * steps.h : 0.0;
-  if (sweep != sweep_) {
-    sweeps_ = sweep > 0.0 ? sweep_levels(*plan_, sweep) : SweepLevels();
-    put(Sweeps, sweeps_.numbers);
-    sweep_ = sweep;
-  }
-  put(FrameNumbers, frame_numbers(*plan_, steps));
-  put(Moments, moment_numbers(*plan_, steps, motion.time));
-  put(Colliders, collider_numbers(*plan_, steps, motion.time));
-  put(Events, std::vector<Index>(static_cast<std::size_t>(steps.count), 0));
-}
+  inverse_mass_ = plan.inverse_mass;
 
-// What only edits change.
-void GpuScene::upload_scene() {
-  const SpringGraph graph = is_grid(*plan_) ? SpringGraph() : graph_of(*plan_);
-  put(FirstNeighbor, graph.neighbors.first);
-  put(Neighbors, graph.neighbors.items);
-  put(SpringEnds, graph.ends);
-  put(Springs, spring_numbers(*plan_));
-  put(BreakLimits, limit_numbers(*plan_));
-  const std::vector<Panel<Index>>& panels = plan_->force_data.panels;
-  const PointLists lists = panels.empty() ? PointLists() : panels_of_points(*plan_);
-  fill(buffers_[Panels], std::as_bytes(std::span(panels)).size(), panels.data());
-  put(FirstPanel, lists.first);
-  put(PanelsOfPoints, lists.items);
-  put(Radii, plan_->radius);
-  fill(buffers_[Accelerations], state_bytes() / 3, nullptr);
-  revision_ = plan_->spring.revision;
-  sweep_ = -1.0;
+  const double sweep = plan.has_dashpots() && steps.method.splits_dashpots ? 0.5 * steps.h : 0.0;
+  if (!put(Springs, spring_numbers(plan)) && has_masses && sweep == sweep_) return;
+  sweep_ = sweep;
+  sweeps_ = sweep > 0.0 ? sweep_levels(plan, sweep) : SweepLevels();
+  put(Sweeps, sweeps_.numbers);
 }
 
 void GpuScene::find_resident(const Motion& motion) {
@@ -91,7 +97,8 @@ void GpuScene::find_resident(const Motion& motion) {
   Resident& resident = residents_.front();
   if (!is_there) {
     const std::vector<double> numbers = state_numbers(*plan_, motion);
-    fill(resident.states[0], numbers);
+    is_single_ ? fill(resident.states[0], std::as_bytes(std::span<const float>(rounded(numbers))))
+               : fill(resident.states[0], std::as_bytes(std::span(numbers)));
     for (std::size_t s = 1; s < resident.states.size(); ++s) fill(resident.states[s], state_bytes(), nullptr);
     resident.state = 0;
   }
@@ -210,7 +217,9 @@ void GpuScene::break_springs(const std::vector<double>& limits, Motion& motion, 
     if (const double length = limits[2 * static_cast<std::size_t>(s) + 1]; length != 0.0) break_spring(*plan_, motion, s, length, broken);
   std::sort(broken.begin(), broken.end());
   refresh_grid_stiffness(*plan_);
-  put(BreakLimits, limit_numbers(*plan_));
+  // the pass has changed them
+  contents_[Springs].clear();
+  contents_[BreakLimits].clear();
 }
 
 void GpuScene::advance(const GlFunctions& gl, Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) {

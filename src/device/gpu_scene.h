@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -46,12 +45,12 @@ class GpuScene {
   };
 
   void upload(const FrameSteps& steps, const Motion& motion);
-  void upload_scene();
   void find_resident(const Motion& motion);
   void fill(GLuint& buffer, std::size_t bytes, const void* content);
-  void put(Binding binding, std::span<const Index> numbers) { fill(buffers_[binding], numbers.size_bytes(), numbers.data()); }
-  void put(Binding binding, std::span<const double> numbers) { fill(buffers_[binding], numbers); }
-  void fill(GLuint& buffer, std::span<const double> numbers);
+  void fill(GLuint& buffer, std::span<const std::byte> bytes) { fill(buffer, bytes.size(), bytes.data()); }
+  bool put(Binding binding, std::span<const std::byte> bytes);
+  bool put(Binding binding, std::span<const Index> numbers) { return put(binding, std::as_bytes(numbers)); }
+  bool put(Binding binding, std::span<const double> numbers);
   std::size_t state_bytes() const { return 12 * static_cast<std::size_t>(plan_->points) * (is_single_ ? sizeof(float) : sizeof(double)); }
   GLuint present() const { return resident_->states[static_cast<std::size_t>(state_)]; }
   template <class Number>
@@ -76,10 +75,13 @@ class GpuScene {
   Resident* resident_ = nullptr;
   int state_ = 0, start_ = 0;  // of its states: the present one, and that at the start of the substep
   SweepLevels sweeps_;         // for methods that sweep over dashpots
-  // What the buffers were filled for: the plan, the masses in it, and the duration of the sweeps [s].
-  std::shared_ptr<const Index> revision_;
+  // What the buffers contain, so that only what has changed is sent again, and what it was made for.
+  std::array<std::vector<std::byte>, bindings> contents_;
+  std::vector<SpringRun> runs_;
+  SpringGraph graph_;
   std::vector<double> inverse_mass_;
-  double sweep_ = 0.0;
+  Index accelerations_ = 0;  // points
+  double sweep_ = 0.0;       // [s], duration of the sweeps
   std::size_t sent_bytes_ = 0;
 };
 

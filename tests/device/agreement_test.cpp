@@ -149,7 +149,7 @@ TEST(GpuDevice, AMotionThatNothingEditsStaysOnTheDevice) {
   // the run and the two beside it
   EXPECT_GT(sent_by(1), 3 * state);
   EXPECT_LT(sent_by(20) / 20, state / 4);
-  lab.submit(SetNailed{{{PointId{450}, true}}});
+  lab.submit(SetNailed{.items = {{PointId{450}, true}}});
   EXPECT_GT(sent_by(1), 3 * state);
   EXPECT_LT(sent_by(10) / 10, state / 4);
 }

@@ -194,7 +194,6 @@ Plan make_plan(const System& system) {
 }
 
 void refresh_values(Plan& plan, const System& system) {
-  plan.spring.revision = std::make_shared<const Index>(0);
   plan.dimensions = system.dimensions;
   plan.drag = system.drag_rate();
   plan.gravity = system.gravity;

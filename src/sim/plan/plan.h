@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -134,8 +133,6 @@ struct PlannedSprings {
   std::vector<double> break_length;  // [m], at which the spring breaks; empty: none breaks
   std::vector<double> max_length;    // [m], of the strain limit; empty: no limit
   LawSprings laws;
-  // Another object each time make_plan or refresh_values sets the values of the plan; a copy of the plan has that of the original.
-  std::shared_ptr<const Index> revision;
 };
 
 // How the solid colliders move.
