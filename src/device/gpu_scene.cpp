@@ -13,6 +13,14 @@ namespace {
 
 std::vector<float> rounded(std::span<const double> numbers) { return {numbers.begin(), numbers.end()}; }
 
+// Throws std::runtime_error if a call has failed since the last time.
+void check_errors(const GlFunctions& gl) {
+  const GLenum error = gl.GetError();
+  if (error == GL_CONTEXT_LOST) throw std::runtime_error(lost_context);
+  if (error == GL_OUT_OF_MEMORY) throw std::runtime_error("out of memory");
+  if (error != GL_NO_ERROR) throw std::runtime_error("error " + std::to_string(error) + " of OpenGL");
+}
+
 }  // namespace
 
 // `content`: null where passes write it.
@@ -164,7 +172,8 @@ void GpuScene::run(std::string_view pass, Index threads, int from, int to, const
 }
 
 void GpuScene::move(const Call& call) {
-  const int count = static_cast<int>(resident_->states.size()), after = (state_ + 1) % count, next = after == start_ ? (after + 1) % count : after;
+  const int count = static_cast<int>(resident_->states.size()), after = (state_ + 1) % count,
+            next = after == start_ ? (after + 1) % count : after;
   run("move.comp", plan_->points, state_, next, call);
   state_ = next;
 }
@@ -227,6 +236,7 @@ void GpuScene::advance(const GlFunctions& gl, Plan& plan, const FrameSteps& step
   plan_ = &plan;
   upload(steps, motion);
   find_resident(motion);
+  check_errors(gl);
   definitions_ = definitions();
   for (GLuint binding = Accelerations; binding < bindings; ++binding)
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers_[binding]);
@@ -240,10 +250,8 @@ void GpuScene::advance(const GlFunctions& gl, Plan& plan, const FrameSteps& step
   const bool breaks = std::ranges::any_of(events, [](std::uint32_t event) { return (event & 2u) != 0; });
   const auto numbers = read_numbers(present(), 8 * n);
   const auto limits = breaks ? read_numbers(buffers_[BreakLimits], 2 * plan.spring.break_length.size()) : std::vector<double>();
-  const GLenum error = gl.GetError();
-  if (error == GL_CONTEXT_LOST || numbers[4 * n - 1] < 0.0) throw std::runtime_error(lost_context);
-  if (error == GL_OUT_OF_MEMORY) throw std::runtime_error("out of memory");
-  if (error != GL_NO_ERROR) throw std::runtime_error("error " + std::to_string(error) + " of OpenGL");
+  check_errors(gl);
+  if (numbers[4 * n - 1] < 0.0) throw std::runtime_error(lost_context);
 
   motion.time += steps.count * steps.h;
   motion.counts.force_evaluations += steps.count;

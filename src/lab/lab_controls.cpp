@@ -211,6 +211,9 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  [&](const SetDevice& set) {
                    drop_frame();
                    progress_.device = set.device;
+                   // the runs beside the run, too
+                   companions_.restart();
+                   measuring_.meter.note_edit();
                  },
                  [&](const Record& what) { record(what); },
                  [&](const Play& what) { play(what); },

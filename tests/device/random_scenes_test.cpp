@@ -14,39 +14,40 @@
 namespace hooke {
 namespace {
 
-struct Feature {
+struct RandomPart {
   const char* fields;
   bool is_computed;  // by the device
 };
 
 // Of the scene; a force goes to its list of forces.
-constexpr Feature scene_features[] = {{R"("drag": 0.4)", true},
-                                      {R"("wind": [1, 0, 0.5], "drag": 0.2)", true},
-                                      {R"("break_strain": 0.2)", true},
-                                      {R"("colliders": [{"type": "plane", "point": [0, -0.3, 0], "normal": [0.1, 1, 0], "friction": 0.3}])", true},
-                                      {R"("colliders": [{"type": "sphere", "center": [0.4, -0.5, 0.4], "radius": 0.35, "restitution": 0.4},
+constexpr RandomPart scene_features[] = {
+    {R"("drag": 0.4)", true},
+    {R"("wind": [1, 0, 0.5], "drag": 0.2)", true},
+    {R"("break_strain": 0.2)", true},
+    {R"("colliders": [{"type": "plane", "point": [0, -0.3, 0], "normal": [0.1, 1, 0], "friction": 0.3}])", true},
+    {R"("colliders": [{"type": "sphere", "center": [0.4, -0.5, 0.4], "radius": 0.35, "restitution": 0.4},
                                           {"type": "box", "min": [-1, -2, -1], "max": [2, -0.7, 2], "belt": [0.3, 0, 0], "friction": 0.4}])",
-                                       true},
-                                      {R"("colliders": [{"type": "plane", "point": [0, -0.3, 0], "normal": [0, 1, 0], "one_way": true}])", false},
-                                      {R"("strain_limit_percent": 20)", false},
-                                      {R"("contact": {"points": true})", false},
-                                      {R"("contact": {"faces": true, "thickness": 0.004})", false},
-                                      {R"("contact": {"springs": true, "thickness": 0.004})", false}};
-constexpr Feature point_features[] = {{R"("nailed": true)", true}, {R"("mass": 3, "radius": 0.05)", true}, {R"("fixed": "y")", false}};
-constexpr Feature spring_features[] = {{R"("damping": 0.3)", true},
-                                       {R"("law": "cable")", true},
-                                       {R"("law": "cable", "damping": 0.3)", true},
-                                       {R"("break_strain": 0.05)", true},
-                                       {R"("law": "strut")", false},
-                                       {R"("law": "cubic", "k3": 10)", false},
-                                       {R"("muscle": {"amplitude": 0.1})", false},
-                                       {R"("rest_length_rate": 0.1)", false}};
+     true},
+    {R"("colliders": [{"type": "plane", "point": [0, -0.3, 0], "normal": [0, 1, 0], "one_way": true}])", false},
+    {R"("strain_limit_percent": 20)", false},
+    {R"("contact": {"points": true})", false},
+    {R"("contact": {"faces": true, "thickness": 0.004})", false},
+    {R"("contact": {"springs": true, "thickness": 0.004})", false}};
+constexpr RandomPart point_features[] = {{R"("nailed": true)", true}, {R"("mass": 3, "radius": 0.05)", true}, {R"("fixed": "y")", false}};
+constexpr RandomPart spring_features[] = {{R"("damping": 0.3)", true},
+                                          {R"("law": "cable")", true},
+                                          {R"("law": "cable", "damping": 0.3)", true},
+                                          {R"("break_strain": 0.05)", true},
+                                          {R"("law": "strut")", false},
+                                          {R"("law": "cubic", "k3": 10)", false},
+                                          {R"("muscle": {"amplitude": 0.1})", false},
+                                          {R"("rest_length_rate": 0.1)", false}};
 
 // One of them in one of `rarity` scenes, or nothing.
 template <std::size_t n>
-std::string pick(Random& random, const Feature (&features)[n], Index rarity, bool& is_computed) {
+std::string pick(Random& random, const RandomPart (&features)[n], Index rarity, bool& is_computed) {
   if (!random.one_in(rarity)) return {};
-  const Feature& feature = features[random.below(static_cast<Index>(n))];
+  const RandomPart& feature = features[random.below(static_cast<Index>(n))];
   is_computed = is_computed && feature.is_computed;
   return std::string(", ") + feature.fields;
 }
