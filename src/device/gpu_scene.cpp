@@ -74,7 +74,7 @@ void GpuScene::upload(const FrameSteps& steps, const Motion& motion) {
   put(Neighbors, graph_.neighbors.items);
   put(SpringEnds, graph_.ends);
   put(BreakLimits, limit_numbers(plan));
-  put(Panels, std::as_bytes(std::span(plan.force_data.panels)));
+  put(PanelCorners, std::as_bytes(std::span(plan.force_data.panels)));
   const PointLists panels = plan.force_data.panels.empty() ? PointLists() : panels_of_points(plan);
   put(FirstPanel, panels.first);
   put(PanelsOfPoints, panels.items);
