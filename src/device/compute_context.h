@@ -21,9 +21,9 @@ namespace hooke {
   X(CreateShader, CREATESHADER)           \
   X(DispatchCompute, DISPATCHCOMPUTE)     \
   X(GenBuffers, GENBUFFERS)               \
-  X(GetInteger64v, GETINTEGER64V)         \
   X(GetBufferSubData, GETBUFFERSUBDATA)   \
   X(GetError, GETERROR)                   \
+  X(GetInteger64v, GETINTEGER64V)         \
   X(GetProgramInfoLog, GETPROGRAMINFOLOG) \
   X(GetProgramiv, GETPROGRAMIV)           \
   X(GetString, GETSTRING)                 \
