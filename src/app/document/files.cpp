@@ -39,9 +39,9 @@ LoadedScene load_fitting(const std::filesystem::path& file, const Progress& prog
   if (!std::filesystem::exists(large, error)) return load_file(file, progress, options);
   const bool is_fit = has_graphics_card();
   LoadedScene loaded = load_file(is_fit ? large : file, progress, options);
-  loaded.warnings.push_back(
-      is_fit ? "Its speed is that of a graphics card: set Compute on to GPU."
-             : "Opened with " + std::to_string(loaded.scene.system.point_count()) + " points: all of them need a graphics card with OpenGL 4.3.");
+  loaded.warnings.push_back(is_fit ? "Its speed is that of a graphics card: set Compute on to GPU."
+                                   : "Opened with " + std::to_string(loaded.scene.system.point_count()) +
+                                         " points: all of them need a graphics card with OpenGL 4.3.");
   return loaded;
 }
 
