@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <ranges>
 
 #include "base/number_text.h"
 #include "scene/placed_surface.h"
-#include "sim/contact/closest.h"
 #include "sim/contact/pair_solver.h"
 
 namespace hooke {
@@ -36,9 +36,9 @@ void find_surfaces(const System& system, PlacedSurface& surface, CrossedParts& p
   // the distance of springs that cross is 0 up to rounding
   constexpr double reach = 1e-6;
   constexpr std::size_t max_pairs = 1'000'000;
-  std::vector<SurfacePair> close;
-  parts.is_complete = tree.find_pairs(plan, place, reach * plan.max_thickness, {}, close, max_pairs);
-  for (const SurfacePair& pair : close) {
+  SurfacePairs close;
+  parts.is_complete = tree.find_pairs(plan, place, reach * plan.max_thickness, {}, max_pairs, close);
+  for (const SurfacePair& pair : close | std::views::join) {
     const auto& [p, q, r, s] = pair.points;
     if (!separates(place[p], place[q], place[r], place[s]) || !separates(place[r], place[s], place[p], place[q])) continue;
     parts.springs.push_back({id_of(p), id_of(q)});
@@ -50,15 +50,13 @@ void find_surfaces(const System& system, PlacedSurface& surface, CrossedParts& p
 void find_spheres(const System& system, PlacedSurface& surface, CrossedParts& parts) {
   auto& [plan, place, tree] = surface;
   if (!plan.on || plan.radius.empty()) return;
-  std::vector<SurfacePair> pairs;
-  parts.has_all_spheres = tree.find_pairs(plan, place, plan.max_thickness, {}, pairs, PairSolver::max_pairs);
+  SurfacePairs pairs;
+  parts.has_all_spheres = tree.find_pairs(plan, place, plan.max_thickness, {}, PairSolver::max_pairs, pairs);
   constexpr double ignored = 1e-3;
-  for (const SurfacePair& pair : pairs) {
-    const auto& [i, j, k, l] = pair.points;
-    const double radius = plan.radius_of(pair.points);
-    const double depth = radius - closest_points(pair.kind, {place[i], place[j], place[k], place[l]}).distance;
-    if (!(depth > ignored * radius)) continue;
-    parts.spheres.push_back(system.points()[plan.points[i]].id);
+  for (const SurfacePair& pair : pairs | std::views::join) {
+    const double depth = -pair.distance;
+    if (!(depth > ignored * plan.radius_of(pair.points))) continue;
+    parts.spheres.push_back(system.points()[plan.points[pair.points[0]]].id);
     if (depth <= parts.sphere_depth) continue;
     parts.sphere_depth = depth;
     parts.deepest_sphere = parts.spheres.back();

@@ -103,8 +103,9 @@ bool surface_touches_itself(const Plan& plan, const Field& x) {
   for (const Index i : plan.surface.points) place.push_back(vector_at(plan, x, i));
   SurfaceTree tree;
   tree.build(plan.surface, place);
-  std::vector<SurfacePair> pairs;
-  return !tree.find_pairs(plan.surface, place, plan.surface.max_thickness, {}, pairs, PairSolver::max_pairs) || !pairs.empty();
+  SurfacePairs pairs;
+  const bool is_complete = tree.find_pairs(plan.surface, place, plan.surface.max_thickness, {}, PairSolver::max_pairs, pairs);
+  return !is_complete || !pairs[0].empty() || !pairs[1].empty();
 }
 // Whether points, faces or springs that touch each other do.
 bool touches_itself(const Plan& plan, const Field& x) {

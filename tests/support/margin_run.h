@@ -22,8 +22,8 @@ inline std::pair<Field, Field> run_with_margin(const TestSim& sim, double margin
   for (int i = 0; i < substeps; ++i) {
     const Field x = motion.x, v = motion.v;
     method.step(plan, motion, work, h);
-    solver.begin_substep(plan, method.velocity_lag, nullptr, motion);
-    if (solver.resolve(plan, {}, {}, x, v, h, motion)) motion.acceleration_is_current = false;
+    const Field free_v = motion.v;
+    if (solver.resolve(plan, {}, {}, {x, v, free_v, method.velocity_lag}, h, motion)) motion.acceleration_is_current = false;
   }
   searches = solver.searches();
   return {motion.x, motion.v};

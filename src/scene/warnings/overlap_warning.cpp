@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 #include "base/disjoint_sets.h"
 #include "base/number_text.h"
 #include "scene/crossed_parts.h"
 #include "scene/placed_surface.h"
-#include "sim/contact/closest.h"
 #include "sim/contact/constants.h"
 #include "sim/plan/surface_plan.h"
 
@@ -22,18 +22,15 @@ std::optional<std::string> close_start_warning(const System& system, const State
   auto [plan, place, tree] = place_surface(system, state);
   if (!plan.on) return std::nullopt;
   constexpr std::size_t max_pairs = 1'000'000;
-  std::vector<SurfacePair> pairs;
-  const bool is_complete = tree.find_pairs(plan, place, plan.max_thickness, {}, pairs, max_pairs);
+  SurfacePairs pairs;
+  const bool is_complete = tree.find_pairs(plan, place, plan.max_thickness, {}, max_pairs, pairs);
 
   std::size_t count = 0, count_in_one_place = 0;
   double depth = 0.0, touching = 0.0;
   std::array<Index, 4> deepest{};
   bool is_face = false;
-  for (const SurfacePair& pair : pairs) {
-    const auto& [i, j, k, l] = pair.points;
-    const double thickness = plan.thickness_of(pair.points),
-                 separation = closest_points(pair.kind, {place[i], place[j], place[k], place[l]}).distance,
-                 distance = separation - plan.radius_of(pair.points);
+  for (const SurfacePair& pair : pairs | std::views::join) {
+    const double thickness = plan.thickness_of(pair.points), distance = pair.distance, separation = distance + plan.radius_of(pair.points);
     // bent sheets touch at a quarter of it
     if (distance >= thickness / 8.0) continue;
     if (separation < contact::coincident * plan.max_thickness) {

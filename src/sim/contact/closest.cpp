@@ -201,16 +201,5 @@ void find_closest(FeaturePair kind, std::span<const Vec3> x, FeatureBlock& block
   if (block.count > 0) HWY_DYNAMIC_DISPATCH(closest_of_block)(kind, x, block);
 }
 
-void find_distances(FeaturePair kind, std::span<const Vec3> x, std::span<const std::array<Index, 4>> pairs, std::span<double> distances) {
-  FeatureBlock block;
-  for (std::size_t from = 0; from < pairs.size(); from += FeatureBlock::capacity) {
-    const auto part = pairs.subspan(from, std::min<std::size_t>(FeatureBlock::capacity, pairs.size() - from));
-    std::ranges::copy(part, block.points.begin());
-    block.count = static_cast<int>(part.size());
-    find_closest(kind, x, block);
-    std::copy_n(block.distance, part.size(), distances.begin() + static_cast<std::ptrdiff_t>(from));
-  }
-}
-
 }  // namespace hooke
 #endif

@@ -52,7 +52,4 @@ struct FeatureBlock {
 // The results: those of closest_points, on every vector unit.
 void find_closest(FeaturePair kind, std::span<const Vec3> x, FeatureBlock& block);
 
-// The distances of all of these pairs alone [m].
-void find_distances(FeaturePair kind, std::span<const Vec3> x, std::span<const std::array<Index, 4>> pairs, std::span<double> distances);
-
 }  // namespace hooke

@@ -6,8 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "base/finite.h"
-#include "sim/contact/contact_work.h"
-#include "sim/contact/one_way.h"
 #include "sim/forces/bands.h"
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/spring_limits.h"
@@ -52,146 +50,131 @@ double sum_of(std::span<const double> numbers) {
   return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
 }
 
-// Points against the obstacles, each by itself: consecutive points may be solved on one thread, and others on another.
-class PointPass {
- public:
-  struct Touches {
-    // [s], since the start of the substep, of the points solved; infinity: none
-    double first_touch = never, first_impact = never;
-    bool any = false, any_pushed = false;
-  };
-
-  PointPass(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h)
-      : plan_(plan), obstacles_(obstacles), before_(before), motion_(motion), h_(h) {}
-
-  static constexpr std::size_t block = RestingPoints::max;
-
-  void solve_block(std::size_t number, TouchSimulation& simulation, Touches& touches) const {
-    const std::size_t first = number * block, end = std::min<std::size_t>(plan_.points, first + block);
-    RestingPoints resting{.outcome = before_.outcome.data() + first, .work = before_.work.data() + first};
-    if (plan_.collider_paths.any_moves) resting.supplied = before_.supplied.data() + first;
-    const char* involved = plan_.pairs.on ? before_.pairs.involved().data() : nullptr;
-    solve_resting_points(plan_, obstacles_, h_, before_.friction_lag, involved, first, end, before_.x, before_.v, motion_.x, motion_.v,
-                         resting);
-    if (resting.any_solved) touches.first_touch = 0.0, touches.any = true;
-    for (std::size_t i = first; resting.any_open && i < end; ++i)
-      if (before_.outcome[i] == RestingPoints::Open) solve_point(static_cast<Index>(i), simulation, touches);
-  }
-
- private:
-  void solve_point(Index i, TouchSimulation& simulation, Touches& touches) const {
-    const Vec3 x0 = vector_at(plan_, before_.x, i), v1 = vector_at(plan_, motion_.v, i);
-    if (!is_finite(x0) || !is_finite(v1)) return;  // the run has diverged
-    const double radius = plan_.radius[i];
-    simulation.clear();
-    simulation.begin_frame();
-    simulation.add_point(plan_, i, x0, vector_at(plan_, before_.v, i), vector_at(plan_, motion_.x, i), v1, h_);
-    simulation.add_obstacles(obstacles_, h_);
-    for (std::size_t o = 0; o < obstacles_.size(); ++o) simulation.add_touch(0, obstacles_, o, radius);
-    simulation.leave_obstacles();
-    PointPath& path = simulation.paths.front();
-    path.start_x = path.x;
-    const Vec3 pushed = before_.push_out[i] = path.x - x0;
-    simulation.run_alone(plan_.surface, h_);
-    if (!path.is_changed && pushed == Vec3(0.0)) return;
-
-    touches.any = true;
-    touches.any_pushed = touches.any_pushed || pushed != Vec3(0.0);
-    touches.first_touch = std::min(touches.first_touch, pushed != Vec3(0.0) ? 0.0 : simulation.first_touch());
-    touches.first_impact = std::min(touches.first_impact, simulation.first_impact());
-    before_.work[i] = path.contact_work();
-    const Vec3 v = path.v - path.velocity_correction;
-    if (plan_.collider_paths.any_moves) {
-      double speed = 0.0;
-      for (const Obstacle& obstacle : obstacles_) speed = std::max(speed, max_surface_speed(obstacle, x0, h_));
-      before_.supplied[i] = speed * plan_.mass[i] * (glm::length(v - v1) + h_ * glm::length(path.free_acceleration));
-    }
-    set_vector(plan_, motion_.x, i, path.x);
-    set_vector(plan_, motion_.v, i, v);
-  }
-
-  const Plan& plan_;
-  std::span<const Obstacle> obstacles_;
-  ContactWorkspace& before_;
-  Motion& motion_;
-  double h_;
+// [J], bounds on the work of the hand and of colliders by contact in a substep. What exerts an impulse J while it moves at V does work of
+// at most |J| |V|, whatever the method makes of the step.
+struct SuppliedWork {
+  double by_hand = 0.0, by_colliders = 0.0;
 };
-
-// Points that sticky planes accelerate at the start of the substep. Methods whose velocities lag lead them behind planes that move, by half
-// of what these are accelerated within it, where contact would count as an impact what is none.
-void follow_planes(const Plan& plan, const ContactWorkspace& before, double h, Motion& motion) {
-  for (const StickyContact& contact : plan.force_data.sticky.held) {
-    const Index i = contact.point;
-    const auto k = static_cast<std::size_t>(contact.collider);
-    const auto& plane = std::get<Plane>(plan.colliders[k].shape);
-    const double acceleration = glm::dot(plane.normal, plan.colliders[k].path.acceleration(before.time));
-    const double own = glm::dot(plane.normal, vector_at(plan, motion.a, i));
-    if (std::abs(own - acceleration) > 1e-9 * std::abs(acceleration)) continue;
-    const double end = before.time + h, height = glm::dot(plane.normal, plane.point + plan.offset_of(k, end)) + plan.radius[i];
-    const double distance = height - glm::dot(plane.normal, vector_at(plan, motion.x, i));
-    const double speed = glm::dot(plane.normal, plan.velocity_of(k, end) - vector_at(plan, motion.v, i));
-    add_vector(plan, motion.x, i, distance * plane.normal);
-    add_vector(plan, motion.v, i, speed * plane.normal);
+SuppliedWork max_supplied(const Plan& plan, const ContactWorkspace& before, double h, const Motion& motion) {
+  SuppliedWork max;
+  const double hand_speed = plan.hand.held ? glm::length(vector_at(plan, motion.v, *plan.hand.held)) : 0.0;
+  if (hand_speed == 0.0 && !plan.collider_paths.any_moves) return max;
+  for (Index i = 0; i < plan.points; ++i) {
+    const double impulse = plan.mass[i] * glm::length(vector_at(plan, motion.v, i) - vector_at(plan, before.free_v, i));
+    if (!(impulse > 0.0)) continue;
+    double speed = 0.0;
+    for (const Obstacle& obstacle : before.obstacles) speed = std::max(speed, max_surface_speed(obstacle, vector_at(plan, before.x, i), h));
+    max.by_hand += impulse * hand_speed;
+    max.by_colliders += impulse * speed;
   }
+  return max;
 }
 
-// Adds the work of the contact, in addition to the work of the forces. Returns whether anything touched.
-bool resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h) {
-  if (obstacles.empty()) return false;
+// Adds the work [J] of contact to that of the hand and of colliders, as far as they can have done it, and the rest to that of contact.
+// Without the bounds, the energy that an unstable motion gains where something moves would count as supplied.
+void book_work(double work, const SuppliedWork& max, Motion& motion) {
+  const double by_hand = std::clamp(work, -max.by_hand, max.by_hand);
+  const double by_colliders = std::clamp(work - by_hand, -max.by_colliders, max.by_colliders);
+  motion.energy.add(EnergyCause::Hand, by_hand);
+  motion.energy.add(EnergyCause::Colliders, by_colliders);
+  motion.energy.add(EnergyCause::Contact, work - by_hand - by_colliders);
+}
+
+// What touches obstacles among the points of one thread.
+struct Touches {
+  double first_touch = never, first_impact = never;  // [s], since the start of the substep
+  bool any = false, any_pushed = false;
+};
+
+// A point among the obstacles, by itself.
+void solve_point(const Plan& plan, Index i, double h, TouchSimulation& simulation, ContactWorkspace& before, Motion& motion,
+                 Touches& touches) {
+  const Vec3 x0 = vector_at(plan, before.x, i), v1 = vector_at(plan, motion.v, i);
+  if (!is_finite(x0) || !is_finite(v1)) return;  // the run has diverged
+  simulation.clear();
+  simulation.begin_frame();
+  simulation.add_point(plan, i, x0, vector_at(plan, before.v, i), vector_at(plan, motion.x, i), v1, h);
+  simulation.add_obstacles(before.obstacles, h);
+  for (std::size_t o = 0; o < before.obstacles.size(); ++o) simulation.add_touch(0, before.obstacles[o], o, plan.radius[i]);
+  simulation.leave_obstacles();
+  PointPath& path = simulation.paths.front();
+  path.start_x = path.x;
+  const Vec3 pushed = before.push_out[i] = path.x - x0;
+  simulation.run_alone(plan.surface, h);
+  if (!path.is_changed && pushed == Vec3(0.0)) return;
+
+  touches.any = true;
+  touches.any_pushed = touches.any_pushed || pushed != Vec3(0.0);
+  touches.first_touch = std::min(touches.first_touch, pushed != Vec3(0.0) ? 0.0 : simulation.first_touch());
+  touches.first_impact = std::min(touches.first_impact, simulation.first_impact());
+  before.work[i] = path.contact_work();
+  set_vector(plan, motion.x, i, path.x);
+  set_vector(plan, motion.v, i, path.v - path.velocity_correction);
+}
+
+constexpr std::size_t points_per_block = RestingPoints::max;
+
+// Points against the obstacles, each by itself: blocks of consecutive points may be solved on several threads.
+void solve_block(const Plan& plan, std::size_t number, double h, TouchSimulation& simulation, ContactWorkspace& before, Motion& motion,
+                 Touches& touches) {
+  const std::size_t first = number * points_per_block, end = std::min<std::size_t>(plan.points, first + points_per_block);
+  RestingPoints resting{.outcome = before.outcome.data() + first, .work = before.work.data() + first};
+  const char* involved = plan.pairs.on ? before.pairs.involved().data() : nullptr;
+  solve_resting_points(plan, before.obstacles, h, before.friction_lag, involved, first, end, before.x, before.v, motion.x, motion.v,
+                       resting);
+  if (resting.any_solved) touches.first_touch = 0.0, touches.any = true;
+  for (std::size_t i = first; resting.any_open && i < end; ++i)
+    if (before.outcome[i] == RestingPoints::Open) solve_point(plan, static_cast<Index>(i), h, simulation, before, motion, touches);
+}
+
+// All points. Adds the work of contact in addition to that of the forces, and of pushes out of obstacles. Returns whether anything touched.
+bool resolve_points(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, double& work, double& push) {
+  if (before.obstacles.empty()) return false;
   const auto n = static_cast<std::size_t>(plan.points);
   before.outcome.resize(n);
   before.work.resize(n);
   before.push_out.resize(n);
-  if (plan.collider_paths.any_moves) before.supplied.assign(n, 0.0);
-  const PointPass pass(plan, obstacles, before, motion, h);
-  const double energy = before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
 
   // blocks of points on as many threads as there are
   constexpr Index min_blocks = 2;  // some microseconds
-  const auto blocks = static_cast<Index>((n + PointPass::block - 1) / PointPass::block);
-  std::array<PointPass::Touches, max_parts> touches;
+  const auto blocks = static_cast<Index>((n + points_per_block - 1) / points_per_block);
+  std::array<Touches, max_parts> touches;
   before.alone.resize(max_parts);
-  if (before.alone.back().paths.capacity() <= obstacles.size())
-    for (TouchSimulation& each : before.alone) each.reserve_alone(obstacles.size());
+  if (before.alone.back().paths.capacity() <= before.obstacles.size())
+    for (TouchSimulation& each : before.alone) each.reserve_alone(before.obstacles.size());
   const int parts = for_parts(plan, blocks, min_blocks, [&](int part, Index first, Index end) {
     for (Index number = first; number < end; ++number)
-      pass.solve_block(static_cast<std::size_t>(number), before.alone[part], touches[part]);
+      solve_block(plan, static_cast<std::size_t>(number), h, before.alone[part], before, motion, touches[part]);
   });
-  PointPass::Touches all;
-  for (const PointPass::Touches& each : std::span(touches).first(static_cast<std::size_t>(parts))) {
+  Touches all;
+  for (const Touches& each : std::span(touches).first(static_cast<std::size_t>(parts))) {
     all.any = all.any || each.any;
     all.any_pushed = all.any_pushed || each.any_pushed;
     before.first_touch = std::min(before.first_touch, each.first_touch);
     before.first_impact = std::min(before.first_impact, each.first_impact);
   }
-  if (!all.any) return false;
-
-  const double pushed = all.any_pushed ? push_work(plan, before, h, motion) : 0.0;
-  motion.energy.add(EnergyCause::Colliders, pushed);
-  const double work = before.is_limited ? energy_of_limited(plan, before, h, motion) - pushed - energy : sum_of(before.work);
-  book_contact_work(work, {.by_colliders = plan.collider_paths.any_moves ? sum_of(before.supplied) : 0.0}, motion);
-  return true;
+  if (all.any_pushed) push += push_work(plan, before, h, motion);
+  if (all.any) work += sum_of(before.work);
+  return all.any;
 }
 
-bool resolve_all(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
-  const std::span<const Obstacle> obstacles = find_obstacles(plan, before.time, h, before.obstacles);
-  before.first_touch = before.first_impact = never;
-  if (before.velocity_lag != 0.0 && plan.collider_paths.any_moves) follow_planes(plan, before, h, motion);
-  keep_on_planes(plan, before.time + h, motion);
-  if (plan.surface.on) before.surface.begin_substep(plan, before.velocity_lag, before.is_limited ? &before.unlimited_v : nullptr, motion);
-  const double energy = plan.pairs.on && before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
-  bool touched = plan.pairs.on && before.pairs.resolve(plan, obstacles, before.x, before.v, h, motion);
+// Adds the work of contact in addition to that of the forces, and of pushes out of obstacles.
+bool resolve_all(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, double& work, double& push) {
+  bool touched = plan.pairs.on && before.pairs.resolve(plan, before.obstacles, before.x, before.v, h, motion);
   if (touched) {
-    const double work = before.is_limited ? energy_of_limited(plan, before, h, motion) - energy : before.pairs.work();
-    book_contact_work(work, before.pairs.supplied(), motion);
+    work += before.pairs.work();
     before.first_touch = before.pairs.first_touch();
     before.first_impact = before.pairs.first_impact();
   }
-  touched = resolve_points(plan, obstacles, before, motion, h) || touched;
-  touched = rebound_from_walls(plan, before, h, motion) || touched;
+  touched = resolve_points(plan, before, motion, h, work, push) || touched;
+  touched = rebound_from_walls(plan, before, h, motion, work) || touched;
   if (touched && !before.is_limited && before.works != nullptr) before.works->end_point_contact(plan, h, motion);
   const std::span<const PointPair> near = plan.pairs.on ? before.pairs.near() : std::span<const PointPair>();
-  if (plan.surface.on && before.surface.resolve(plan, obstacles, near, before.x, before.v, h, motion)) {
+  const SurfaceSolver::Start start{before.x, before.v, before.is_limited ? before.unlimited_v : before.free_v, before.velocity_lag};
+  if (plan.surface.on && before.surface.resolve(plan, before.obstacles, near, start, h, motion)) {
+    work += before.surface.work();
+    // what the hand and colliders supply is part of the energy of the state
+    if (!before.is_limited) motion.energy.add(EnergyCause::Contact, before.surface.lag_work());
     touched = true;
     before.first_touch = 0.0;
   }
@@ -202,10 +185,19 @@ bool resolve_all(const Plan& plan, ContactWorkspace& before, Motion& motion, dou
 
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
   before.free_v = motion.v;
-  if (!resolve_all(plan, before, motion, h)) return false;
+  find_obstacles(plan, before.time, h, before.obstacles);
+  before.first_touch = before.first_impact = never;
+  keep_on_planes(plan, before.time + h, motion);
+  const double energy = before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
+  double work = 0.0, push = 0.0;
+  if (!resolve_all(plan, before, motion, h, work, push)) return false;
+
   for (int c = 0; c < plan.dimensions; ++c)
     for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
       motion.contact[at] += plan.mass[i] * (motion.v[at] - before.free_v[at]);
+  if (before.is_limited) work = energy_of_limited(plan, before, h, motion) - energy - push;
+  motion.energy.add(EnergyCause::Colliders, push);
+  book_work(work, max_supplied(plan, before, h, motion), motion);
   return true;
 }
 

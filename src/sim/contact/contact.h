@@ -32,7 +32,6 @@ struct ContactWorkspace {
   // Of each point: what became of it, and the work of the contact [J] in addition to the work of the forces.
   std::vector<RestingPoints::Outcome> outcome;
   std::vector<double> work;
-  std::vector<double> supplied;      // bounds on the part of it that colliders have supplied (contact_work.h); empty: they do not move
   std::vector<Vec3> push_out;        // [m], of each point, out of colliders in which it was before the substep
   Field without_push;                // [m], positions after the substep without that
   const PowerWork* works = nullptr;  // of the step, if the method sweeps over dashpots
@@ -57,6 +56,12 @@ struct ContactWorkspace {
 //
 // `before` says whether the strain limit has changed the velocities of `motion`.
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h);
+
+// The part of it about one-way planes (Plan::one_way), walls as those of XSpringies 1.12. Points that cross them from the free side in this
+// substep rebound: the restitution multiplies the normal velocity and the tangential one. Sticky planes take strength x 1 s / mass off the
+// rebound; a point that would not leave stops, and is held while forces pull at it or press with less than the strength. Points that start
+// behind a plane are free. Adds the work [J]. Returns whether any point was moved.
+bool rebound_from_walls(const Plan& plan, ContactWorkspace& before, double h, Motion& motion, double& work);
 
 // Imposes the strain limit (spring_limits.h) at the end of a substep, before contact. Returns whether it moved points.
 bool limit_strain(const Plan& plan, ContactWorkspace& before, Motion& motion);

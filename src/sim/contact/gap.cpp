@@ -71,11 +71,6 @@ Gap gap_to(const Collider& collider, double radius, const Vec3& x) {
 
 double contact_tolerance(const Vec3& x) { return 1e-13 * (1.0 + std::abs(x.x) + std::abs(x.y) + std::abs(x.z)); }
 
-bool may_touch(const Collider& collider, double radius, const Vec3& from, const Vec3& to, double bulge) {
-  const Vec3 middle = 0.5 * (from + to);
-  return gap_to(collider, radius, middle).distance <= 0.5 * glm::length(to - from) + bulge + contact_tolerance(middle);
-}
-
 std::optional<double> first_impact(const Collider& collider, double radius, const Parabola& path, double time_limit) {
   const auto* sphere = std::get_if<Sphere>(&collider.shape);
 

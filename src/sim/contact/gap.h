@@ -32,10 +32,6 @@ Gap gap_to(const Collider& collider, double radius, const Vec3& x);
 // Gaps up to this [m] count as contact: round-off of a point placed on a surface.
 double contact_tolerance(const Vec3& x);
 
-// False if a point that moves from `from` to `to`, deviating from the straight line by no more than `bulge` [m], certainly misses the
-// collider. Cheap, for the many points that are far from everything.
-bool may_touch(const Collider& collider, double radius, const Vec3& from, const Vec3& to, double bulge);
-
 // The first time [s] up to `time_limit` at which a point outside the collider touches it while moving inwards; none if it
 // does not.
 std::optional<double> first_impact(const Collider& collider, double radius, const Parabola& path, double time_limit);

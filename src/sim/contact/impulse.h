@@ -1,9 +1,10 @@
-// The impulse of a contact, with Coulomb friction.
+// The impulse of a contact: the one law of points, faces, springs and colliders.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "sim/contact/constants.h"
@@ -21,18 +22,34 @@ struct ContactImpulse {
   ContactImpulse scaled(double factor, const Vec3& along) const { return {factor * normal, factor * tangential(along, friction)}; }
 };
 
-// Sets the normal impulse, and opposes the slip [m/s] as far as friction can; `mass`: [kg], impulse per velocity. Returns the change of the
-// whole impulse.
-inline Vec3 change_impulse(ContactImpulse& impulse, double new_normal, const Vec3& normal, double friction, const Vec3& slip, double mass) {
-  Vec3 total = (new_normal - impulse.normal) * normal;
-  impulse.normal = new_normal;
-  if (friction == 0.0) return total;
-  const Vec3 before = impulse.friction;
-  impulse.friction -= mass * slip;
-  const double square = glm::dot(impulse.friction, impulse.friction), max = friction * impulse.normal;
-  if (square > max * max) impulse.friction *= max / std::sqrt(square);
-  return total + (impulse.friction - before);
-}
+// Two bodies that must not approach each other faster than a target, with Coulomb friction. What separates is pushed by no more than
+// `max_push`; what approaches is stopped in any case.
+struct ContactLaw {
+  Vec3 normal{0.0};                                              // from the second to the first
+  double mass = 0.0;                                             // [kg], impulse per relative velocity
+  double friction = 0.0;                                         // [1]
+  double target = 0.0;                                           // [m/s], the minimum relative velocity along the normal
+  double max_push = std::numeric_limits<double>::infinity();     // [N s]
+  double max_impulse = std::numeric_limits<double>::infinity();  // [N s]
+  ContactImpulse impulse;                                        // so far
+
+  // The change of the impulse at a velocity [m/s] of the first, as seen from the second: to the least that reaches the target, and against
+  // the slip as far as friction can. A step of projected Gauss-Seidel.
+  Vec3 solve(const Vec3& velocity) {
+    const double along = glm::dot(normal, velocity), before = impulse.normal;
+    if (before == 0.0 && !(along < target)) return Vec3(0.0);
+    double next = before + (target - along) * mass;
+    if (target > 0.0) next = std::min(next, std::max(max_push, before - along * mass));
+    impulse.normal = std::clamp(next, 0.0, max_impulse);
+    const Vec3 change = (impulse.normal - before) * normal;
+    if (friction == 0.0) return change;
+    const Vec3 opposed = impulse.friction;
+    impulse.friction -= mass * (velocity - along * normal);
+    const double square = glm::dot(impulse.friction, impulse.friction), max = friction * impulse.normal;
+    if (square > max * max) impulse.friction *= max / std::sqrt(square);
+    return change + (impulse.friction - opposed);
+  }
+};
 
 // How overlaps of points and of surfaces are removed: by the velocity `rate` times the overlap [1/s], which is the bias of a soft
 // constraint with frequency omega and damping ratio zeta (E. Catto, Box2D v3, b2MakeSoft), and by no more than the force of its spring,

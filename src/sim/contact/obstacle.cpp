@@ -29,17 +29,21 @@ std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double 
   return obstacles;
 }
 
-bool may_touch(const Obstacle& obstacle, double radius, const Vec3& x0, const Vec3& x1, double bulge, double h) {
-  const double more = 0.125 * h * h * glm::length(obstacle.acceleration);
-  return may_touch(*obstacle.collider, radius, x0 - obstacle.offset, x1 - obstacle.offset_at(h), bulge + more);
-}
-
 Vec3 relative_surface_velocity(const Obstacle& obstacle, const Vec3& normal, const Vec3& x) {
   const ColliderPath& path = obstacle.collider->path;
   Vec3 velocity = tangential(normal, path.belt);
   if (const auto* sphere = std::get_if<Sphere>(&obstacle.collider->shape)) velocity += glm::cross(path.spin, x - sphere->center);
   if (const auto* plane = std::get_if<Plane>(&obstacle.collider->shape)) velocity += glm::cross(path.spin, x - plane->point);
   return velocity;
+}
+
+double max_surface_speed(const Obstacle& obstacle, const Vec3& x, double h) {
+  const ColliderPath& path = obstacle.collider->path;
+  const double shape = std::max(glm::length(obstacle.velocity_at(0.0)), glm::length(obstacle.velocity_at(h)));
+  // the surface turns about the anchor of the shape
+  const double spin =
+      path.spin == Vec3(0.0) ? 0.0 : glm::length(path.spin) * glm::length(x - obstacle.offset - anchor_of(*obstacle.collider));
+  return shape + glm::length(obstacle.velocity_correction) + glm::length(path.belt) + spin;
 }
 
 }  // namespace hooke

@@ -26,10 +26,10 @@ std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double 
 // collider that oscillates may need steps so short that their difference has lost most of its digits.
 Vec3 without_rounding(const Plan& plan, const Vec3& correction, const Vec3& x, double h);
 
-// False if the point certainly misses the obstacle on its path from x0 to x1, which deviates from the straight line by at most `bulge` [m].
-bool may_touch(const Obstacle& obstacle, double radius, const Vec3& x0, const Vec3& x1, double bulge, double h);
-
 // The velocity of the surface below a point at x, on the side of `normal`, relative to the shape: of a belt, or of a spin.
 Vec3 relative_surface_velocity(const Obstacle& obstacle, const Vec3& normal, const Vec3& x);
+
+// A bound on the speed [m/s] of the surface of an obstacle near x in a substep of h.
+double max_surface_speed(const Obstacle& obstacle, const Vec3& x, double h);
 
 }  // namespace hooke

@@ -1,75 +1,51 @@
-#include "sim/contact/one_way.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "sim/contact/constants.h"
-#include "sim/contact/contact_work.h"
+#include "sim/contact/contact.h"
 #include "sim/contact/gap.h"
 
 namespace hooke {
 namespace {
 
-// A point at the end of a substep, with its mean acceleration in it.
-struct Path {
-  Vec3 x, v, a;
+struct End {
+  Vec3 x, v;
 };
 
-// The path after the time `left` from the end back, at which it crosses the plane, continued with the velocity of the rebound.
-void rebound(Path& path, const Vec3& normal, double height, double left, double restitution, double adhesion) {
-  Vec3 v = path.v - left * path.a;
-  if (glm::dot(normal, v) >= 0.0) {
-    // pressed from rest: an impact at the end
-    left = 0.0;
-    v = path.v;
-  }
-  Vec3 crossing = path.x - left * path.v + 0.5 * left * left * path.a;
+// A path that leads behind a wall, with the velocity of the rebound from where it meets it.
+End rebound(const Collider& wall, double radius, double adhesion, const Parabola& path, double h) {
+  const auto& plane = std::get<Plane>(wall.shape);
+  double t = first_impact(wall, radius, path, h).value_or(h);
+  // pressed from rest: an impact at the end
+  if (glm::dot(plane.normal, path.velocity(t)) >= 0.0) t = h;
+  const Vec3 v = path.velocity(t);
+  Vec3 crossing = path.position(t);
   // not behind the plane by the error of the step, where it would be free
-  crossing += (height - glm::dot(normal, crossing)) * normal;
-  const double approach = -glm::dot(normal, v);
-  if (approach <= 0.0) {
-    path.x = crossing;
-    return;
-  }
-  const double leaving = restitution * approach - adhesion;
-  if (adhesion > 0.0 && leaving < 0.0) {
-    path.x = crossing;
-    path.v = Vec3(0.0);
-    return;
-  }
-  const Vec3 after = leaving * normal + restitution * (v + approach * normal);
-  path.x = crossing + left * (after + 0.5 * left * path.a);
-  path.v = after + left * path.a;
+  crossing -= gap_to(wall, radius, crossing).distance * plane.normal;
+  const double approach = -glm::dot(plane.normal, v), left = h - t;
+  if (approach <= 0.0) return {crossing, v};
+  const double leaving = wall.restitution * approach - adhesion;
+  if (adhesion > 0.0 && leaving < 0.0) return {crossing, Vec3(0.0)};
+  const Vec3 after = leaving * plane.normal + wall.restitution * (v + approach * plane.normal);
+  End end{crossing + left * (after + 0.5 * left * path.a), after + left * path.a};
   // what presses again within the substep rests
-  const double depth = height - glm::dot(normal, path.x);
-  if (depth <= 0.0) return;
-  path.x += depth * normal;
-  path.v -= std::min(0.0, glm::dot(normal, path.v)) * normal;
+  const double depth = -gap_to(wall, radius, end.x).distance;
+  if (depth > 0.0) end = {end.x + depth * plane.normal, end.v - std::min(0.0, glm::dot(plane.normal, end.v)) * plane.normal};
+  return end;
 }
 
-// [s], from the end of the substep back to where the distance g0 + b s + a s^2 / 2 becomes 0; g1 < 0: at its end.
-double time_after_crossing(double g0, double g1, double a, double h) {
-  const double b = (g1 - g0) / h - 0.5 * a * h, root = std::sqrt(std::max(0.0, b * b - 2.0 * a * g0));
-  const double time = g0 <= 0.0 ? 0.0 : 2.0 * g0 / (root - b);
-  return std::isfinite(time) ? std::clamp(h - time, 0.0, h) : 0.0;
-}
-
-// Returns whether the path has changed.
-bool follow(const Plan& plan, const Vec3& x0, const Vec3& v0, double radius, double adhesion, double h, Path& path) {
+// Returns whether the end has changed. `a`: [m/s^2], the mean acceleration.
+bool follow(const Plan& plan, const Vec3& x0, const Vec3& v0, const Vec3& a, double radius, double adhesion, double h, End& end) {
   bool is_changed = false;
   for (const Collider& wall : plan.one_way) {
-    const auto& plane = std::get<Plane>(wall.shape);
-    const double height = glm::dot(plane.normal, plane.point) + radius, g0 = glm::dot(plane.normal, x0) - height;
-    if (v0 == Vec3(0.0) && std::abs(g0) < contact::held_distance && std::abs(glm::dot(plane.normal, path.v)) < h * adhesion) {
-      path.x = x0;
-      path.v = Vec3(0.0);
+    const double start = gap_to(wall, radius, x0).distance, speed = glm::dot(std::get<Plane>(wall.shape).normal, end.v);
+    if (v0 == Vec3(0.0) && std::abs(start) < contact::held_distance && std::abs(speed) < h * adhesion) {
+      end = {x0, Vec3(0.0)};
       return true;
     }
-    const double g1 = glm::dot(plane.normal, path.x) - height;
-    if (g0 < -contact_tolerance(x0) || !(g1 < 0.0)) continue;
-    const double left = time_after_crossing(g0, g1, glm::dot(plane.normal, path.a), h);
-    rebound(path, plane.normal, height, left, wall.restitution, adhesion);
+    if (start < -contact_tolerance(x0) || !(gap_to(wall, radius, end.x).distance < 0.0)) continue;
+    end = rebound(wall, radius, adhesion, {end.x - h * (end.v - 0.5 * h * a), end.v - h * a, a}, h);
     is_changed = true;
   }
   return is_changed;
@@ -77,27 +53,23 @@ bool follow(const Plan& plan, const Vec3& x0, const Vec3& v0, double radius, dou
 
 }  // namespace
 
-bool rebound_from_walls(const Plan& plan, ContactWorkspace& before, double h, Motion& motion) {
-  if (plan.one_way.empty()) return false;
-  double work = 0.0;
+bool rebound_from_walls(const Plan& plan, ContactWorkspace& before, double h, Motion& motion, double& work) {
   bool any = false;
-  for (Index i = 0; i < plan.points; ++i) {
+  for (Index i = 0; i < plan.points && !plan.one_way.empty(); ++i) {
     if (plan.inverse_mass_in_contact()[i] == 0.0) continue;
     const Vec3 x0 = vector_at(plan, before.x, i), v0 = vector_at(plan, before.v, i), x1 = vector_at(plan, motion.x, i),
                v1 = vector_at(plan, motion.v, i);
-    Path path{x1, v1, (v1 - v0) / h};
-    const double adhesion = plan.force_data.sticky.strength * plan.inverse_mass[i];
-    if (!follow(plan, x0, v0, plan.radius[i], adhesion, h, path)) continue;
+    End end{x1, v1};
+    const Vec3 a = (v1 - v0) / h;
+    if (!follow(plan, x0, v0, a, plan.radius[i], plan.force_data.sticky.strength * plan.inverse_mass[i], h, end)) continue;
     any = true;
     // of contact, in addition to that of the forces
-    work += plan.mass[i] * (0.5 * (glm::dot(path.v, path.v) - glm::dot(v1, v1)) - glm::dot(path.a, path.x - x1));
-    set_vector(plan, motion.x, i, path.x);
-    set_vector(plan, motion.v, i, path.v);
+    work += plan.mass[i] * (0.5 * (glm::dot(end.v, end.v) - glm::dot(v1, v1)) - glm::dot(a, end.x - x1));
+    set_vector(plan, motion.x, i, end.x);
+    set_vector(plan, motion.v, i, end.v);
   }
-  if (!any) return false;
-  before.first_touch = before.first_impact = 0.0;
-  book_contact_work(work, {}, motion);
-  return true;
+  if (any) before.first_touch = before.first_impact = 0.0;
+  return any;
 }
 
 }  // namespace hooke

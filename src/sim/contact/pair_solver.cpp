@@ -4,12 +4,20 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/contact_work.h"
-
 namespace hooke {
 namespace {
 
 bool is_fixed(const Plan& plan, Index i) { return plan.inverse_mass_in_contact()[i] == 0.0; }
+
+// [m], a bound on how far an obstacle moves in a substep.
+double max_path(const Obstacle& obstacle, double h) {
+  return h * (glm::length(obstacle.velocity_at(0.0)) + glm::length(obstacle.velocity_at(h)) + glm::length(obstacle.velocity_correction));
+}
+
+// Whether a point from x may touch the obstacle within the substep if it moves by no more than `reach`.
+bool is_near(const Obstacle& obstacle, double radius, const Vec3& x, double reach, double h) {
+  return gap_to(*obstacle.collider, radius, x - obstacle.offset).distance <= reach + max_path(obstacle, h);
+}
 
 // Touches examined and impulses of a substep: those of some hundred sweeps over what points touch in a heap.
 long usual_work(std::size_t points) { return 5'000 * static_cast<long>(points); }
@@ -25,31 +33,32 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
   is_involved_.assign(plan.points, 0);
   // a motion that is not finite has diverged
   if (!measure(plan, obstacles, x0, v0, h, motion)) return false;
-  wanted_.assign(plan.points, 0.0);
-  if (!is_covered(plan, x0) && !find_pairs(plan, x0)) return false;
-  motion.counts.contact_tests += static_cast<long>(pairs_.size());
-  if (!involve_pairs(plan, x0)) return false;
 
-  // again from the start when a point gets farther than expected, to where there may be others
-  long work = static_cast<long>(pairs_.size());
-  while (true) {
+  // the pairs that may touch; those that may do so after an impact of these; and again when a point gets farther than expected
+  long work = 0;
+  bool is_complete = false;
+  for (int round = 0; !is_complete && !has_failed_; ++round) {
+    if (!is_covered(plan, x0) && !find_pairs(plan, x0)) break;
+    work += static_cast<long>(pairs_.size());
+    if (!involve_pairs(plan, x0)) break;
+    if (round == 0) continue;
     fill(plan, obstacles, x0, v0, h, motion);
     simulation_.begin(plan.surface, h);
     const auto is_affordable = [&] { return excess_ + work + simulation_.counts().work() - usual_work(plan.points) <= max_excess; };
-    bool is_complete = is_within_bounds(plan, x0, h);
-    while (is_complete && is_affordable() && simulation_.advance()) is_complete = is_within_bounds(plan, x0, h);
-    motion.counts.contact_tests += simulation_.counts().tests;
-    motion.counts.contact_impulses += simulation_.counts().impulses;
+    is_complete = is_within_bounds(plan, x0, h);
+    while (is_affordable() && simulation_.advance()) is_complete = is_within_bounds(plan, x0, h) && is_complete;
     has_failed_ = !is_affordable();
     work += simulation_.counts().work();
-    if (is_complete && !has_failed_) break;
-    if (has_failed_ || (!is_covered(plan, x0) && !find_pairs(plan, x0))) {
-      is_involved_.assign(plan.points, 0);
-      return false;
-    }
+    motion.counts.contact_tests += simulation_.counts().tests;
+    motion.counts.contact_impulses += simulation_.counts().impulses;
+  }
+  motion.counts.contact_tests += static_cast<long>(pairs_.size());
+  if (!is_complete || has_failed_) {
+    is_involved_.assign(plan.points, 0);
+    return false;
   }
   excess_ += std::max(0L, work - usual_work(plan.points));
-  write(plan, h, motion);
+  write(plan, motion);
   return simulation_.any_touched();
 }
 
@@ -59,18 +68,16 @@ bool PairSolver::measure(const Plan& plan, std::span<const Obstacle> obstacles, 
   free_.resize(plan.points);
   double sum = 0.0;
   for (Index i = 0; i < plan.points; ++i) {
-    const Vec3 from = vector_at(plan, x0, i), to = vector_at(plan, motion.x, i);
-    const double change = h * glm::length(vector_at(plan, motion.v, i) - vector_at(plan, v0, i)), bulge = 0.125 * change;
+    const Vec3 start = vector_at(plan, x0, i);
+    const double change = h * glm::length(vector_at(plan, motion.v, i) - vector_at(plan, v0, i));
     FreeMotion& free = free_[i];
-    free.displacement = to - from;
-    free.deviation = bulge + 3.0 * change;
+    free = {.displacement = vector_at(plan, motion.x, i) - start, .deviation = 3.125 * change};
     const double length = glm::length(free.displacement) + change;
-    // after an impact on an obstacle the path deviates by at most this much: it is no faster than before, or than the obstacle
+    // an impact on an obstacle leads away by at most this much: the point is no faster than before, or than the obstacle
     for (const Obstacle& obstacle : obstacles)
-      if (!is_fixed(plan, i) && may_touch(obstacle, plan.radius[i], from, to, bulge, h))
-        free.deviation = std::max(free.deviation, bulge + 3.0 * change + 2.0 * (length + h * glm::length(obstacle.velocity_at(0.5 * h))));
-    free.reach = glm::length(free.displacement) + free.deviation;
-    sum += free.reach;
+      if (!is_fixed(plan, i) && is_near(obstacle, plan.radius[i], start, length, h))
+        free.impact = std::max(free.impact, 2.0 * (length + max_path(obstacle, h)));
+    sum += free.reach();
   }
   return std::isfinite(sum);
 }
@@ -80,7 +87,7 @@ bool PairSolver::is_covered(const Plan& plan, const Field& x0) const {
   if (margin_.empty() || margin_.size() != free_.size()) return false;
   for (Index i = 0; i < plan.points; ++i) {
     const double moved = glm::length(vector_at(plan, x0, i) - vector_at(plan, found_at_, i));
-    if (!(moved + std::max(free_[i].reach, wanted_[i]) <= margin_[i])) return false;
+    if (!(moved + free_[i].reach() <= margin_[i])) return false;
   }
   return true;
 }
@@ -89,7 +96,7 @@ bool PairSolver::find_pairs(const Plan& plan, const Field& x0) {
   margin_.resize(plan.points);
   extent_.resize(plan.points);
   for (Index i = 0; i < plan.points; ++i) {
-    margin_[i] = std::max({0.5 * plan.radius[i], 4.0 * free_[i].reach, 2.0 * wanted_[i]});
+    margin_[i] = std::max(0.5 * plan.radius[i], 4.0 * free_[i].reach());
     extent_[i] = plan.radius[i] + 0.5 * plan.pairs.thickness + margin_[i];
   }
   found_at_ = x0;
@@ -98,25 +105,31 @@ bool PairSolver::find_pairs(const Plan& plan, const Field& x0) {
   return !has_failed_;
 }
 
-// Marks the points that may touch another on their paths without contact.
+// Marks the points that may touch another, and bounds where impacts on them may lead. Returns whether there are any.
 bool PairSolver::involve_pairs(const Plan& plan, const Field& x0) {
-  bool any = false;
+  near_.clear();
   for (const PointPair& pair : pairs_) {
     const FreeMotion &first = free_[pair.i], &second = free_[pair.j];
     const double distance = glm::length(vector_at(plan, x0, pair.i) - vector_at(plan, x0, pair.j));
-    const double approach = glm::length(first.displacement - second.displacement) + first.deviation + second.deviation;
-    if (distance > touching_distance(plan, pair) + approach + contact_tolerance(Vec3(distance))) continue;
-    is_involved_[pair.i] = is_involved_[pair.j] = 1;
-    near_.push_back(pair);
-    any = true;
+    const double approach = glm::length(first.displacement - second.displacement);
+    const double reach = approach + first.deviation + first.impact + second.deviation + second.impact;
+    if (distance <= touching_distance(plan, pair) + reach + contact_tolerance(Vec3(distance))) near_.push_back(pair);
   }
-  return any;
+  for (const PointPair& pair : near_) {
+    // at least so much that points in a heap, which push each other, seldom get farther
+    const double approach = glm::length(free_[pair.i].displacement - free_[pair.j].displacement);
+    const double impact = std::max(2.0 * approach, touching_distance(plan, pair) / 16.0);
+    for (const Index i : {pair.i, pair.j}) {
+      is_involved_[i] = 1;
+      free_[i].impact = std::max(free_[i].impact, impact);
+    }
+  }
+  return !near_.empty();
 }
 
 void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
                       const Motion& motion) {
   simulation_.clear();
-  watched_.clear();
   path_of_.assign(plan.points, no_path);
   for (Index i = 0; i < plan.points; ++i) {
     if (is_involved_[i] == 0) continue;
@@ -125,83 +138,45 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
                           vector_at(plan, motion.v, i), h);
   }
 
-  for (const PointPair& pair : pairs_) {
-    const bool first = is_involved_[pair.i] != 0, second = is_involved_[pair.j] != 0;
-    if (!first && !second) continue;
-    if (first && second)
-      simulation_.touches.push_back({.first = path_of_[pair.i],
-                                     .second = path_of_[pair.j],
-                                     .point = pair.i,
-                                     .other = pair.j,
-                                     .distance = touching_distance(plan, pair),
-                                     .restitution = plan.pairs.restitution,
-                                     .friction = plan.pairs.friction});
-    else
-      watched_.push_back(first ? pair : PointPair{pair.j, pair.i});
-  }
-  std::ranges::sort(watched_);
+  for (const PointPair& pair : near_)
+    simulation_.add_pair(path_of_[pair.i], path_of_[pair.j], touching_distance(plan, pair), plan.pairs.restitution, plan.pairs.friction);
   const std::size_t points = simulation_.paths.size();
   simulation_.add_obstacles(obstacles, h);
   for (std::size_t p = 0; p < points; ++p) {
     const Index i = simulation_.paths[p].point;
     if (is_fixed(plan, i)) continue;
-    for (std::size_t o = 0; o < obstacles.size(); ++o) {
-      const Obstacle& obstacle = obstacles[o];
-      const double moved =
-          h * (glm::length(obstacle.velocity_at(0.0)) + glm::length(obstacle.velocity_at(h)) + glm::length(obstacle.velocity_correction));
-      const Vec3 position = vector_at(plan, x0, i) - obstacle.offset_at(0.0);
-      if (gap_to(*obstacle.collider, plan.radius[i], position).distance > margin_[i] + moved) continue;
-      simulation_.add_touch(p, obstacles, o, plan.radius[i]);
-    }
+    for (std::size_t o = 0; o < obstacles.size(); ++o)
+      if (is_near(obstacles[o], plan.radius[i], vector_at(plan, x0, i), free_[i].reach(), h))
+        simulation_.add_touch(p, obstacles[o], o, plan.radius[i]);
   }
 }
 
-// Whether the paths that have just changed stay within the margins and away from points that are not involved. Otherwise notes what is
-// missing.
+// Whether the paths that have just changed stay within their bounds. Otherwise extends these.
 bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
   bool is_within = true;
   const double left = h - simulation_.time();
   for (const std::size_t p : simulation_.changed()) {
     const PointPath& path = simulation_.paths[p];
     const Vec3 x = path.position(simulation_.time()), v = path.velocity(simulation_.time());
-    const Vec3 start = vector_at(plan, x0, path.point);
     const double length = left * (glm::length(v) + 0.5 * left * glm::length(path.a)) + 3.0 * h * path.velocity_change;
-    const double reach = glm::length(x - start) + length;
-    if (glm::length(start - vector_at(plan, found_at_, path.point)) + reach > margin_[path.point]) {
-      wanted_[path.point] = std::max(wanted_[path.point], reach);
-      is_within = false;
-    }
-    for (auto at = std::ranges::lower_bound(watched_, path.point, {}, &PointPair::i); at != watched_.end() && at->i == path.point; ++at) {
-      const PointPair& pair = *at;
-      if (is_involved_[pair.j] != 0) continue;
-      const double distance = glm::length(x - vector_at(plan, x0, pair.j));
-      if (distance > touching_distance(plan, pair) + length + free_[pair.j].reach) continue;
-      is_involved_[pair.j] = 1;
-      is_within = false;
-    }
+    const double reach = glm::length(x - vector_at(plan, x0, path.point)) + length;
+    FreeMotion& free = free_[path.point];
+    if (reach <= free.reach()) continue;
+    free.impact = 2.0 * reach;
+    is_within = false;
   }
   return is_within;
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
-void PairSolver::write(const Plan& plan, double h, Motion& motion) {
-  double impulses = 0.0, speed = 0.0;  // [N s], [m/s]
+void PairSolver::write(const Plan& plan, Motion& motion) {
   work_ = 0.0;
-  bool is_held = false;
   for (const PointPath& path : simulation_.paths) {
-    const Index i = path.point;
-    is_held = is_held || plan.hand.held == i;
     if (!path.is_changed) continue;
-    const Vec3 v1 = vector_at(plan, motion.v, i), v = path.v - path.velocity_correction;
     work_ += path.contact_work();
-    impulses += plan.mass[i] * (glm::length(v - v1) + h * glm::length(path.free_acceleration));
-    set_vector(plan, motion.x, i, path.x);
-    set_vector(plan, motion.v, i, v);
+    set_vector(plan, motion.x, path.point, path.x);
+    set_vector(plan, motion.v, path.point, path.v - path.velocity_correction);
   }
-  if (plan.collider_paths.any_moves)
-    for (const Touch& touch : simulation_.touches)
-      if (touch.obstacle != nullptr) speed = std::max(speed, max_surface_speed(*touch.obstacle, simulation_.paths[touch.first].x, h));
-  supplied_ = {.by_hand = is_held ? impulses * held_speed(plan, motion) : 0.0, .by_colliders = impulses * speed};
 }
 
 }  // namespace hooke

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "sim/contact/contact_work.h"
 #include "sim/contact/pair_search.h"
 #include "sim/contact/touch_simulation.h"
 #include "sim/forces/motion.h"
@@ -39,9 +38,8 @@ class PairSolver {
   std::span<const char> involved() const { return is_involved_; }
   // The pairs that may have touched in the last call, in ascending order.
   std::span<const PointPair> near() const { return near_; }
-  // [J], of contact in the substep, in addition to that of the forces, and how much of it the hand and colliders may have supplied.
+  // [J], of contact in the substep, in addition to that of the forces.
   double work() const { return work_; }
-  const SuppliedWork& supplied() const { return supplied_; }
   // [s], since the start of the last substep in which anything touched
   double first_touch() const { return simulation_.first_touch(); }
   double first_impact() const { return simulation_.first_impact(); }
@@ -53,7 +51,8 @@ class PairSolver {
   struct FreeMotion {
     Vec3 displacement{0.0};  // [m]
     double deviation = 0.0;  // [m], from the straight line, and what contact at rest reaches
-    double reach = 0.0;      // [m], bound on the distance from its start
+    double impact = 0.0;     // [m], a bound on how far impacts lead away from that
+    double reach() const { return glm::length(displacement) + deviation + impact; }  // [m], from its start
   };
 
   bool measure(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, const Motion& motion);
@@ -62,22 +61,20 @@ class PairSolver {
   bool involve_pairs(const Plan& plan, const Field& x0);
   void fill(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, const Motion& motion);
   bool is_within_bounds(const Plan& plan, const Field& x0, double h);
-  void write(const Plan& plan, double h, Motion& motion);
+  void write(const Plan& plan, Motion& motion);
 
   PairSearch search_;
   std::vector<PointPair> pairs_, near_;
   Field found_at_;              // positions at which they were found
   std::vector<double> margin_;  // [m], per point: up to which distance from there they are all; empty: not found in this frame
-  std::vector<double> wanted_, extent_;
+  std::vector<double> extent_;
   std::vector<FreeMotion> free_;
   std::vector<char> is_involved_;
   std::vector<std::size_t> path_of_;  // per point
-  std::vector<PointPair> watched_;    // the first is involved, the second is not
   TouchSimulation simulation_;
   long excess_ = 0;  // work of earlier substeps of the frame, beyond what is usual
   bool has_failed_ = false;
   double work_ = 0.0;  // [J]
-  SuppliedWork supplied_;
 };
 
 }  // namespace hooke

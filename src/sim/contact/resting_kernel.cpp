@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "sim/contact/constants.h"
-#include "sim/contact/contact_work.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/contact/resting_kernel.cpp"
@@ -254,10 +253,6 @@ HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const
   const Lane kinetic = same(0.5) * (dot(with_extra, with_extra) - dot(start, start));
   const Lane work = mass * (kinetic - dot(change, minus(x, path.x0)) / same(h));
   store(work, solved, count, points.work + at);
-  if (points.supplied != nullptr) {
-    store(same(max_surface_speed(obstacle, Vec3(0.0), h)) * mass * (length(minus(v, path.v1)) + length(change)), solved, count,
-          points.supplied + at);
-  }
   store_point(block.plan, x, solved, count, block.x, i);
   store_point(block.plan, v, solved, count, block.v, i);
   return solved;

@@ -17,8 +17,7 @@ struct RestingPoints {
     Open,    // left to TouchSimulation
   };
   Outcome* outcome = nullptr;
-  double* work = nullptr;      // [J], of contact in addition to that of the forces; 0 unless it was solved
-  double* supplied = nullptr;  // [J], a bound on the part of it that the obstacle has supplied, if any moves
+  double* work = nullptr;  // [J], of contact in addition to that of the forces; 0 unless it was solved
   bool any_solved = false, any_open = false;
 };
 

@@ -43,27 +43,18 @@ void TouchSimulation::leave_corrections() {
     const Touch& touch = touches[k];
     const PointPath &path = paths[touch.first], &obstacle = paths[touch.second];
     const Vec3 v = path.v - path.velocity_correction - obstacle.v + obstacle.velocity_correction;
-    if (!(glm::dot(touch.normal, path.a - obstacle.a) + touch.curvature * glm::dot(v, v) < 0.0)) continue;
+    if (!(glm::dot(touch.law.normal, path.a - obstacle.a) + touch.curvature * glm::dot(v, v) < 0.0)) continue;
     const Vec3 correction = velocity_[touch.first] - velocity_[touch.second];
-    velocity_[touch.first] -= touch.friction > 0.0 ? correction : glm::dot(touch.normal, correction) * touch.normal;
+    velocity_[touch.first] -= touch.law.friction > 0.0 ? correction : glm::dot(touch.law.normal, correction) * touch.law.normal;
     change(touch.first);
   }
-}
-
-// What leaves a ball ends as in a flight: otherwise the correction of the next step, along the acceleration, leads back onto it.
-void TouchSimulation::leave_balls() {
-  PointPath& path = paths.front();
-  const auto is_loaded = [&](std::size_t k) { return touches[k].impulse.normal > 0.0; };
-  const auto is_on_ball = [&](std::size_t k) { return touches[k].curvature > 0.0; };
-  if (glm::dot(path.free_correction, path.a) > 0.0 && std::ranges::any_of(active_, is_on_ball) && std::ranges::none_of(active_, is_loaded))
-    path.velocity_correction = path.free_correction;
 }
 
 // What presses on a ball moves on to its surface, and along it.
 void TouchSimulation::follow_balls() {
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
-    if (touch.curvature == 0.0 || touch.impulse.normal == 0.0) continue;
+    if (touch.curvature == 0.0 || touch.law.impulse.normal == 0.0) continue;
     PointPath& path = paths[touch.first];
     const PointPath& ball = paths[touch.second];
     const Gap gap = gap_to(shape_of(touch), touch.inflation(), path.x - ball.x);

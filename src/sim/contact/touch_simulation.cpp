@@ -70,7 +70,7 @@ void TouchSimulation::add_point(const Plan& plan, Index i, const Vec3& x0, const
   if (path.inverse_mass == 0.0) return;
   const Vec3 change = v1 - v0;
   path.a = path.free_acceleration = change / h;
-  path.velocity_correction = path.free_correction = without_rounding(plan, (x1 - x0) / h - v0 - 0.5 * change, x0, h);
+  path.velocity_correction = without_rounding(plan, (x1 - x0) / h - v0 - 0.5 * change, x0, h);
   path.v += path.velocity_correction;
   path.velocity_change = glm::length(change);
   path.adhesion = plan.force_data.sticky.strength * path.inverse_mass;
@@ -80,23 +80,30 @@ void TouchSimulation::add_point(const Plan& plan, Index i, const Vec3& x0, const
 
 void TouchSimulation::add_obstacles(std::span<const Obstacle> obstacles, double h) {
   first_obstacle_ = paths.size();
+  Index number = -1;
   for (const Obstacle& obstacle : obstacles)
-    paths.push_back({.x = obstacle.offset,
+    paths.push_back({.point = --number,
+                     .x = obstacle.offset,
                      .v = obstacle.velocity + obstacle.velocity_correction,
                      .a = obstacle.acceleration,
                      .velocity_correction = obstacle.velocity_correction,
                      .velocity_change = h * glm::length(obstacle.acceleration)});
 }
 
-void TouchSimulation::add_touch(std::size_t path, std::span<const Obstacle> obstacles, std::size_t obstacle, double radius) {
-  touches.push_back({.first = path,
-                     .second = first_obstacle_ + obstacle,
-                     .obstacle = &obstacles[obstacle],
-                     .point = paths[path].point,
-                     .other = -2 - static_cast<Index>(obstacle),
-                     .distance = radius,
-                     .restitution = obstacles[obstacle].collider->restitution,
-                     .friction = obstacles[obstacle].collider->friction});
+void TouchSimulation::add_pair(std::size_t first, std::size_t second, double distance, double restitution, double friction) {
+  const double response = paths[first].inverse_mass + paths[second].inverse_mass;
+  touches.push_back({.first = first,
+                     .second = second,
+                     .point = paths[first].point,
+                     .other = paths[second].point,
+                     .distance = distance,
+                     .restitution = restitution,
+                     .law = {.mass = response > 0.0 ? 1.0 / response : 0.0, .friction = friction}});
+}
+
+void TouchSimulation::add_touch(std::size_t path, const Obstacle& obstacle, std::size_t number, double radius) {
+  add_pair(path, first_obstacle_ + number, radius, obstacle.collider->restitution, obstacle.collider->friction);
+  touches.back().obstacle = &obstacle;
 }
 
 void TouchSimulation::begin(const SurfacePlan& plan, double h) {
@@ -116,7 +123,6 @@ void TouchSimulation::start(double h) {
   separation_.clear();
   find_resting();
   if (!active_.empty()) rest();
-  if (is_alone()) leave_balls();
   for (Touch& touch : touches) predict(touch);
   queue_impacts();
 }
@@ -143,7 +149,7 @@ void TouchSimulation::find_resting() {
     if (!touch.is_near) continue;
     const double velocity = glm::dot(gap.normal, path.v), quiet = quiet_speed(touch);
     if (is_alone() ? std::abs(velocity) > quiet : velocity < -std::max(quiet, contact::rest_speed * change)) continue;
-    touch.normal = gap.normal;
+    touch.law.normal = gap.normal;
     touch.gap = is_alone() ? 0.0 : gap.distance;
     touch.curvature = gap.curvature;
     touch.is_at_rest = true;
@@ -157,7 +163,8 @@ void TouchSimulation::solve_velocities(std::optional<double> time, double tolera
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
     const PointPath &first = paths[touch.first], &second = paths[touch.second];
-    touch.surface = time ? relative_surface_velocity(touch, touch.normal, first.x - second.x + *time * (first.v - second.v)) : Vec3(0.0);
+    touch.surface =
+        time ? relative_surface_velocity(touch, touch.law.normal, first.x - second.x + *time * (first.v - second.v)) : Vec3(0.0);
   }
   solve_impulses(active_, tolerance, velocity_);
   constexpr double rounding = 1e-12;
@@ -181,11 +188,11 @@ void TouchSimulation::separate(double tolerance) {
     Touch& touch = touches[k];
     const double depth = touch.obstacle != nullptr ? 0.0 : std::max(0.0, -touch.gap);
     const double weight = paths[touch.first].inverse_mass + paths[touch.second].inverse_mass;
-    const double spare = h_ * soft_.stiffness * depth - weight * touch.impulse.normal;
-    touch.min_velocity = h_ * std::max(0.0, std::min(soft_.rate * depth, spare));
-    touch.impulse = {};
+    const double spare = h_ * soft_.stiffness * depth - weight * touch.law.impulse.normal;
+    touch.law.target = h_ * std::max(0.0, std::min(soft_.rate * depth, spare));
+    touch.law.impulse = {};
     touch.surface = Vec3(0.0);
-    any = any || touch.min_velocity > h_ * tolerance;
+    any = any || touch.law.target > h_ * tolerance;
   }
   if (!any) return;
   separation_.assign(paths.size(), Vec3(0.0));
@@ -200,7 +207,7 @@ void TouchSimulation::recall_loads() {
     const std::array points{touch.point, touch.other};
     const auto load = std::ranges::lower_bound(loads_.last, points, {}, &TouchLoads::Load::points);
     if (load == loads_.last.end() || load->points != points) continue;
-    touch.impulse = load->impulse.scaled(h_ / loads_.last_h, touch.normal);
+    touch.law.impulse = load->impulse.scaled(h_ / loads_.last_h, touch.law.normal);
   }
 }
 
@@ -208,7 +215,7 @@ void TouchSimulation::recall_loads() {
 void TouchSimulation::change_pushed() {
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
-    if (touch.impulse.normal == 0.0) continue;
+    if (touch.law.impulse.normal == 0.0) continue;
     change(touch.first);
     change(touch.second);
   }
@@ -220,8 +227,8 @@ void TouchSimulation::rest() {
   const std::size_t n = paths.size();
   velocity_.resize(n);
   const auto reset = [&](std::size_t k, double min_velocity) {
-    touches[k].min_velocity = min_velocity;
-    touches[k].impulse = {};
+    touches[k].law.target = min_velocity;
+    touches[k].law.impulse = {};
   };
   double scale = 0.0;
   for (const std::size_t k : active_) scale = std::max({scale, velocity_change(touches[k]), quiet_speed(touches[k])});
@@ -249,9 +256,9 @@ void TouchSimulation::rest() {
     Touch& touch = touches[k];
     const Vec3 v =
         paths[touch.first].v - paths[touch.first].velocity_correction - paths[touch.second].v + paths[touch.second].velocity_correction;
-    touch.normal =
-        glm::normalize(touch.normal + 0.5 * h_ * touch.curvature * tangential(touch.normal, v + 0.5 * h_ * relative_path(touch, 0.0).a));
-    reset(k, std::min(0.0, -2.0 * std::max(0.0, touch.gap) / h_ - glm::dot(touch.normal, v)));
+    touch.law.normal = glm::normalize(touch.law.normal + 0.5 * h_ * touch.curvature *
+                                                             tangential(touch.law.normal, v + 0.5 * h_ * relative_path(touch, 0.0).a));
+    reset(k, std::min(0.0, -2.0 * std::max(0.0, touch.gap) / h_ - glm::dot(touch.law.normal, v)));
   }
   recall_loads();
   for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].v - paths[p].velocity_correction + h_ * paths[p].a;
@@ -259,7 +266,7 @@ void TouchSimulation::rest() {
   for (const std::size_t p : changed_) paths[p].a = (velocity_[p] - (paths[p].v - paths[p].velocity_correction)) / h_;
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
-    if (touch.impulse.normal > 0.0) loads_.now.push_back({{touch.point, touch.other}, touch.impulse});
+    if (touch.law.impulse.normal > 0.0) loads_.now.push_back({{touch.point, touch.other}, touch.law.impulse});
   }
   if (!is_alone()) separate(rough);
 }

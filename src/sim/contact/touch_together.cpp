@@ -14,37 +14,32 @@ void apply(const Touch& touch, const Vec3& impulse, std::span<const PointPath> p
   v[touch.second] -= paths[touch.second].inverse_mass * impulse;
 }
 
-// The normal impulse, then friction within its cone. Returns the larger change of the relative velocity [m/s].
-double relax(Touch& touch, std::span<const PointPath> paths, std::span<Vec3> v) {
-  const double weight = paths[touch.first].inverse_mass + paths[touch.second].inverse_mass;
-  if (weight == 0.0) return 0.0;
-  const Vec3 velocity = v[touch.first] - v[touch.second] - touch.surface;
-  const double normal_velocity = glm::dot(touch.normal, velocity);
-  const ContactImpulse before = touch.impulse;
-  const double normal_impulse = std::max(0.0, before.normal + (touch.min_velocity - normal_velocity) / weight);
-  if (normal_impulse == 0.0 && before.normal == 0.0) return 0.0;
-  const Vec3 slip = velocity - normal_velocity * touch.normal;
-  apply(touch, change_impulse(touch.impulse, normal_impulse, touch.normal, touch.friction, slip, 1.0 / weight), paths, v);
-  return weight * std::max(std::abs(normal_impulse - before.normal), glm::length(touch.impulse.friction - before.friction));
+// Returns the change of the relative velocity [m/s].
+double relax(Touch& touch, std::span<Vec3> v, std::span<const PointPath> paths) {
+  if (touch.law.mass == 0.0) return 0.0;
+  const Vec3 impulse = touch.law.solve(v[touch.first] - v[touch.second] - touch.surface);
+  if (impulse == Vec3(0.0)) return 0.0;
+  apply(touch, impulse, paths, v);
+  return glm::length(impulse) / touch.law.mass;
 }
 
 }  // namespace
 
 // Changes the velocities v, one per path, by the impulses of the touches: along the normal the minimum for which no touch is slower than
-// its min_velocity, friction of up to its coefficient times that against the rest of the relative velocity. Impulses are equal and
+// its target, friction of up to its coefficient times that against the rest of the relative velocity. Impulses are equal and
 // opposite, so that momentum is conserved, and so is angular momentum without friction. Starts from the impulses of the touches, and leaves
 // the result there. Projected Gauss-Seidel, forward and backward in turn, until no relative velocity changes by more than `tolerance`
 // [m/s].
 void TouchSimulation::solve_impulses(std::span<const std::size_t> together, double tolerance, std::span<Vec3> v) {
   for (const std::size_t t : together) {
     const Touch& touch = touches[t];
-    if (touch.impulse.normal > 0.0) apply(touch, touch.impulse.total(touch.normal), paths, v);
+    if (touch.law.impulse.normal > 0.0) apply(touch, touch.law.impulse.total(touch.law.normal), paths, v);
   }
   for (int sweep = 0; sweep < contact::max_sweeps; ++sweep) {
     double change = 0.0;
     counts_.impulses += static_cast<long>(together.size());
     for (std::size_t k = 0; k < together.size(); ++k)
-      change = std::max(change, relax(touches[together[sweep % 2 == 0 ? k : together.size() - 1 - k]], paths, v));
+      change = std::max(change, relax(touches[together[sweep % 2 == 0 ? k : together.size() - 1 - k]], v, paths));
     if (!(change > tolerance)) break;
   }
 }
@@ -64,12 +59,12 @@ void TouchSimulation::find_impacts_with(std::size_t touch) {
       together_.erase(together_.begin() + static_cast<std::ptrdiff_t>(k--));
       continue;
     }
-    next.normal = gap.normal;
+    next.law.normal = gap.normal;
     next.rebounds = approach > rest_speed(next, gap, path);
     // what does not rebound leaves so slowly that the accelerations bring it back at the end of the substep
     const double hop = is_alone() ? 0.0 : std::clamp(-0.5 * (h_ - time_) * glm::dot(gap.normal, path.a), 0.0, std::max(0.0, approach));
-    next.min_velocity = std::max(next.rebounds ? next.restitution * approach : 0.0, hop);
-    next.impulse = {};
+    next.law.target = std::max(next.rebounds ? next.restitution * approach : 0.0, hop);
+    next.law.impulse = {};
     next.surface = relative_surface_velocity(next, gap.normal, path.x);
     for (const std::size_t p : {next.first, next.second}) {
       if (paths[p].inverse_mass == 0.0) continue;
@@ -114,9 +109,9 @@ void TouchSimulation::respond() {
 void TouchSimulation::adhere(const Touch& touch) {
   PointPath& path = paths[touch.first];
   if (touch.obstacle == nullptr || !std::holds_alternative<Plane>(touch.obstacle->collider->shape)) return;
-  const double pull = glm::dot(touch.normal, path.free_acceleration - paths[touch.second].a);
+  const double pull = glm::dot(touch.law.normal, path.free_acceleration - paths[touch.second].a);
   if (!(pull > 0.0 && pull <= path.adhesion)) return;
-  path.held = pull * touch.normal;
+  path.held = pull * touch.law.normal;
   path.a -= path.held;
 }
 
@@ -124,7 +119,7 @@ void TouchSimulation::adhere(const Touch& touch) {
 void TouchSimulation::remove_correction(const Touch& touch) {
   PointPath &first = paths[touch.first], &second = paths[touch.second];
   const double weight = first.inverse_mass + second.inverse_mass;
-  const Vec3 correction = -glm::dot(touch.normal, first.velocity_correction - second.velocity_correction) / weight * touch.normal;
+  const Vec3 correction = -glm::dot(touch.law.normal, first.velocity_correction - second.velocity_correction) / weight * touch.law.normal;
   first.velocity_correction += first.inverse_mass * correction;
   second.velocity_correction -= second.inverse_mass * correction;
 }

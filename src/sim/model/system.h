@@ -87,7 +87,7 @@ struct Collider {
   double restitution = 0.0;  // [1], 0..1: normal speed after / before
   double friction = 0.0;     // [1], >= 0: Coulomb's mu
   bool solid = true;         // false: drawn only
-  // A plane at rest that acts as a wall of XSpringies (contact/one_way.h).
+  // A plane at rest that acts as a wall of XSpringies (contact/contact.h).
   bool one_way = false;
   ColliderPath path{};
   bool operator==(const Collider&) const = default;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -11,26 +10,36 @@
 
 namespace hooke {
 
+// The sum of weight times vector over these points: of the first of two features, as seen from the second.
+inline Vec3 relative_vector(const std::array<Index, 4>& points, const std::array<double, 4>& w, std::span<const Vec3> field) {
+  return w[0] * field[points[0]] + w[1] * field[points[1]] + w[2] * field[points[2]] + w[3] * field[points[3]];
+}
+
 // Two features that touch or may do so within the substep. Velocities are relative: of the first as seen from the second. Two points are
 // a contact with the weights 1 and -1, and so are a point and an obstacle, which counts as a nailed point with the velocity of its surface.
 struct SurfaceContact {
   std::array<Index, 4> points{};
   std::array<double, 4> weight{};
-  Vec3 normal{0.0};                                              // from the second to the first
-  double thickness = 0.0;                                        // [m], the distance at which they touch
-  double mass = 0.0;                                             // [kg], impulse per relative velocity
-  double friction = 0.0;                                         // [1]
-  double target = 0.0;                                           // [m/s], the minimum relative velocity along the normal
-  double max_push = std::numeric_limits<double>::infinity();     // [N s], the maximum impulse that separates what does not approach
-  double max_impulse = std::numeric_limits<double>::infinity();  // [N s]
-  ContactImpulse impulse;                                        // so far in the substep; from an obstacle in addition to earlier ones
-  double gap = 0.0;                                              // [m], at the start, distance less thickness
-  Index pair = 0;                                                // of the detection, or from `obstacle` on, that of the obstacle
-  Index last = no_index;                                         // in the memory of the last substep
+  ContactLaw law;          // its impulse: so far in the substep; from an obstacle in addition to earlier ones
+  double thickness = 0.0;  // [m], the distance at which they touch
+  double gap = 0.0;        // [m], at the start, distance less thickness
+  Index pair = 0;          // of the detection, or from `obstacle` on, that of the obstacle
+  Index last = no_index;   // in the memory of the last substep
   FeaturePair kind = FeaturePair::PointFace;
 
   static constexpr Index two_points = SurfaceDetection::max_pairs, obstacle = two_points + 1;
   bool is_on_obstacle() const { return pair >= obstacle; }
+
+  Vec3 relative(std::span<const Vec3> field) const { return relative_vector(points, weight, field); }
+  void apply(const Vec3& impulse, std::span<const double> inverse_mass, std::span<Vec3> velocity) const {
+    for (int c = 0; c < 4; ++c) velocity[points[c]] += inverse_mass[points[c]] * weight[c] * impulse;
+  }
+  // Sets the mass. False: nothing can move these points.
+  bool weigh(std::span<const double> inverse_mass);
+  // [1/kg], the velocity per impulse of the point that moves fastest.
+  double fastest(std::span<const double> inverse_mass) const;
+  // Limits the impulse, once the target is set, if one of these points is held: it moves others by a lever. `u`: velocities.
+  void limit(std::span<const double> inverse_mass, Index held, std::span<const Vec3> u);
 };
 
 // What a contact has in common with that of the last substep, and the impulses of that.
@@ -74,12 +83,10 @@ class SurfaceContacts {
 
   // For the next substep; solve_ends does so, too.
   void remember(const Step& step);
-  // [J], a bound on the work of these points, which move with `velocity`.
-  double max_work(Index first, Index end, std::span<const Vec3> velocity) const;
 
-  std::vector<SurfaceContact> paths;     // of the paths; those of obstacles after all others, in ascending order
-  std::vector<SurfaceContact> touching;  // those of them that exert impulses or may touch at the end, and then those at the end
-  long impulses = 0;                     // computed, since it was set
+  // Those of obstacles after all others, in ascending order; after solve_paths, those alone that exert impulses or may touch at the end.
+  std::vector<SurfaceContact> all;
+  long impulses = 0;  // computed, since it was set
 
  private:
   void add(const Step& step, SurfaceContact& contact);

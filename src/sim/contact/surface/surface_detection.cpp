@@ -77,9 +77,13 @@ bool SurfaceDetection::list_pairs(const SurfacePlan& plan, double need) {
   for (const Vec3& x : x_) extent = std::max({extent, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
   round_off_ = 1e-14 * extent;
   tree_.refit(x_);
-  if (!tree_.find_pairs(plan, x_, reach_, left_out_, max_pairs, pairs_, keys_)) {
+  if (!tree_.find_pairs(plan, x_, reach_, left_out_, max_pairs, pairs_)) {
     reach_ = 0.0;
     return false;
+  }
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    keys_[k].clear();
+    for (const SurfacePair& pair : pairs_[k]) keys_[k].push_back(pair.distance);
   }
   tests_ += candidates();
   return true;
@@ -103,7 +107,7 @@ void SurfaceDetection::wake(const SurfacePlan& plan, FeaturePair kind, double ne
 void SurfaceDetection::measure(const SurfacePlan& plan, FeaturePair kind, std::span<const Index> woken, double need) {
   const auto k = static_cast<std::size_t>(kind);
   block_.count = 0;
-  for (const Index p : woken) block_.points[block_.count++] = pairs_[k].points[p];
+  for (const Index p : woken) block_.points[block_.count++] = pairs_[k][p].points;
   find_closest(kind, x_, block_);
   tests_ += block_.count;
   const double coincident = contact::coincident * plan.max_thickness;
@@ -114,7 +118,7 @@ void SurfaceDetection::measure(const SurfacePlan& plan, FeaturePair kind, std::s
     keys_[k][p] = distance - radius + travel_;
     if (!(distance - radius < need && distance >= coincident)) continue;
     if (contact::ccd_safety * distance <= approach_) meeting_.push_back({kind, points, distance});
-    const auto [first, second] = pairs_[k].features[p];
+    const auto [first, second] = pairs_[k][p].features;
     const bool touches = kind == FeaturePair::TwoEdges ? block_.is_at_end[i] == 0.0 || (plan.is_spring[first] | plan.is_spring[second]) != 0
                                                        : plan.owns(first, block_.weight[1][i], block_.weight[2][i], block_.weight[3][i]);
     if (!touches) continue;

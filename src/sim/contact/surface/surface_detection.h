@@ -67,7 +67,7 @@ class SurfaceDetection {
   double relative_margin_;
   SurfaceTree tree_;
   std::vector<LeftOut> left_out_;  // per point, by what is crossed at the start of the frame; empty: nothing is
-  PairsByKind pairs_;
+  SurfacePairs pairs_;
   std::array<std::vector<double>, 2> keys_;  // [m], of each pair: the distance when it was measured, plus the travel of that time
   double reach_ = 0.0, travel_ = 0.0;        // [m]: pairs up to the first are listed; by the second, distances have changed since at most
   double h_ = 0.0, approach_ = 0.0, round_off_ = 0.0;

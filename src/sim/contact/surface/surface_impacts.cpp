@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "sim/contact/constants.h"
+#include "sim/contact/surface/surface_contacts.h"
 
 namespace hooke {
 namespace {
@@ -13,11 +14,10 @@ namespace {
 // Passes with joined points: each joins at least two.
 constexpr int max_passes = 1000;
 
-// Distances on paths in a substep, for a surface of so many points: those that any usual motion takes, and at most, in a tenth of a second;
-// and beyond the former in a frame, in seconds. A motion that diverges, so that each point crosses the whole scene in a substep, takes a
-// thousand for each pair.
+// Distances on paths in a substep, for a surface of so many points, that any usual motion takes; and at most beyond them in a frame, in
+// seconds. A motion that diverges, so that each point crosses the whole scene in a substep, takes a thousand for each pair.
 long usual_distances(std::size_t points) { return 100 * static_cast<long>(points); }
-constexpr long max_distances = 5'000'000, max_excess = 40'000'000;
+constexpr long max_excess = 20'000'000;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ bool SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detectio
         respond(pair, inverse_mass, x, part * h, held, u), hits = true;
       else
         hits = join(pair.points, inverse_mass, u) || hits;
-      has_failed_ = distances_ > max_distances + usual || excess_ + distances_ > max_excess + usual;
+      has_failed_ = excess_ + distances_ > max_excess + usual;
     }
     any = any || hits;
     if (has_failed_ || !hits) break;
@@ -56,26 +56,11 @@ void SurfaceImpacts::respond(const MeetingFeatures& pair, std::span<const double
   FourPoints at;
   for (int c = 0; c < 4; ++c) at[c] = x[pair.points[c]] + time * u[pair.points[c]];
   const Closest closest = closest_points(pair.kind, at);
-  double response = 0.0, fastest = 0.0;
-  Vec3 relative(0.0), drive(0.0);
-  for (int c = 0; c < 4; ++c) {
-    const double change = closest.weight[c] * inverse_mass[pair.points[c]];
-    const Vec3 velocity = closest.weight[c] * u[pair.points[c]];
-    response += closest.weight[c] * change;
-    fastest = std::max(fastest, std::abs(change));
-    relative += velocity;
-    if (pair.points[c] == held) drive += velocity;
-  }
-  if (response == 0.0 || !(closest.distance > 0.0)) return;
-  const Vec3 normal = closest.separation / closest.distance;
-  double impulse = -glm::dot(normal, relative) / response;
-  if (drive != Vec3(0.0))
-    impulse = std::min(impulse, contact::max_leverage * std::max(std::abs(glm::dot(normal, drive)), -glm::dot(normal, relative)) / fastest);
-  if (!(impulse > 0.0)) return;
-  for (int c = 0; c < 4; ++c) {
-    u[pair.points[c]] += inverse_mass[pair.points[c]] * closest.weight[c] * impulse * normal;
-    if (pair.points[c] == held) held_impulse_ += std::abs(closest.weight[c]) * impulse;
-  }
+  SurfaceContact contact{.points = pair.points, .weight = closest.weight};
+  if (!(closest.distance > 0.0) || !contact.weigh(inverse_mass)) return;
+  contact.law.normal = closest.separation / closest.distance;
+  contact.limit(inverse_mass, held, u);
+  contact.apply(contact.law.solve(contact.relative(u)), inverse_mass, u);
 }
 
 // From now on these points, with all that already move together with them, have the same velocity: their mean, or that of a fixed one.
@@ -105,9 +90,7 @@ bool SurfaceImpacts::join(const std::array<Index, 4>& points, std::span<const do
   }
   const Vec3 velocity = has_fixed ? fixed : momentum / mass;
   for (std::size_t k = 0; k < n; ++k) {
-    if (zone_[k] != first || inverse_mass[k] == 0.0) continue;
-    if (has_fixed) held_impulse_ += glm::length(u[k] - velocity) / inverse_mass[k];
-    u[k] = velocity;
+    if (zone_[k] == first && inverse_mass[k] != 0.0) u[k] = velocity;
   }
   return true;
 }

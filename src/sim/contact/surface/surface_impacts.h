@@ -13,19 +13,17 @@ class SurfaceImpacts {
   void begin_frame() { impacts_ = excess_ = 0; }
   void begin_substep() {
     distances_ = 0;
-    held_impulse_ = 0.0;
     has_failed_ = false;
   }
   // Changes the velocities u [m/s] of the paths from x that lead through each other in h [s]: by inelastic impacts, again until there is
-  // none; after some passes, what meets moves together. The paths that remain are free of impacts, unless points that are fixed or held
-  // force features through each other. `held`: a point whose impulses are summed up. Returns whether it changed any.
+  // none; after some passes, what meets moves together. The paths that remain are free of impacts, unless points that are fixed or `held`
+  // force features through each other. Returns whether it changed any.
   bool prevent(const SurfacePlan& plan, SurfaceDetection& detection, std::span<const double> inverse_mass, std::span<const Vec3> x,
                double h, Index held, std::span<Vec3> u);
   // Whether the last call gave up: it takes too much work, or there are too many pairs.
   bool has_failed() const { return has_failed_; }
-  long impacts() const { return impacts_; }              // in this frame
-  long distances() const { return distances_; }          // computed in this substep
-  double held_impulse() const { return held_impulse_; }  // [N s], a bound on those on the held point in this substep
+  long impacts() const { return impacts_; }      // in this frame
+  long distances() const { return distances_; }  // computed in this substep
 
  private:
   void respond(const MeetingFeatures& pair, std::span<const double> inverse_mass, std::span<const Vec3> x, double time, Index held,
@@ -34,7 +32,6 @@ class SurfaceImpacts {
 
   std::vector<Index> zone_;  // per point: the first of those that move together; empty: none do
   bool has_failed_ = false;
-  double held_impulse_ = 0.0;  // [N s]
   long impacts_ = 0, distances_ = 0;
   long excess_ = 0;  // distances of earlier substeps of the frame, beyond what is usual
 };

@@ -7,7 +7,6 @@
 
 #include "sim/contact/constants.h"
 #include "sim/contact/pair_solver.h"
-#include "sim/forces/energy/plan_energy.h"
 
 namespace hooke {
 
@@ -15,14 +14,6 @@ void SurfaceSolver::begin_frame() {
   detection_.clear();
   contacts_.begin_frame();
   impacts_.begin_frame();
-}
-
-void SurfaceSolver::begin_substep(const Plan& plan, double velocity_lag, const Field* unlimited, const Motion& motion) {
-  velocity_lag_ = velocity_lag;
-  is_limited_ = unlimited != nullptr;
-  free_velocity_.resize(plan.surface.points.size());
-  for (std::size_t k = 0; k < free_velocity_.size(); ++k)
-    free_velocity_[k] = vector_at(plan, unlimited != nullptr ? *unlimited : motion.v, plan.surface.points[k]);
 }
 
 // Returns whether all are finite: what is not has diverged.
@@ -54,10 +45,10 @@ void SurfaceSolver::start_frame(const Plan& plan) {
   detection_.begin_frame(plan.surface, x_);
 }
 
-bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0,
-                            const Field& v0, double h, Motion& motion) {
+bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Start& start,
+                            double h, Motion& motion) {
   has_failed_ = false;
-  if (!load(plan, x0, h, motion)) return false;
+  if (!load(plan, start.x, h, motion)) return false;
   if (!detection_.is_begun()) start_frame(plan);
   const std::size_t n = x_.size();
   inverse_mass_.resize(n);
@@ -73,11 +64,11 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
   };
   contacts_.impulses = 0;
   contacts_.make(step(), detection_);
-  if (!contacts_.paths.empty())
+  if (!contacts_.all.empty())
     for (const PointPair& pair : near)
       if (const Index i = local_[pair.i], j = local_[pair.j]; i != no_index && j != no_index)
         contacts_.add_points(step(), i, j, touching_distance(plan, pair));
-  if (contacts_.paths.empty() && detection_.meeting().empty()) {
+  if (contacts_.all.empty() && detection_.meeting().empty()) {
     contacts_.remember(step());
     return false;
   }
@@ -93,16 +84,16 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
   // velocities at the end
   velocity_ = u_;
   for (std::size_t k = 0; k < n; ++k) velocity_[k] = vector_at(plan, motion.v, plan.surface.points[k]) + (u_[k] - free_u_[k]);
-  find_rebounds(plan, v0, h, motion);
+  find_rebounds(plan, start, h, motion);
   contacts_.solve_ends(step(), u_, velocity_);
   motion.counts.contact_impulses += contacts_.impulses;
-  write(plan, v0, h, motion);
+  write(plan, start, h, motion);
   return true;
 }
 
 void SurfaceSolver::mark_points() {
   is_marked_.assign(x_.size(), 0);
-  for (const SurfaceContact& contact : contacts_.paths)
+  for (const SurfaceContact& contact : contacts_.all)
     for (const Index k : contact.points) is_marked_[k] = 1;
 }
 
@@ -121,16 +112,16 @@ void SurfaceSolver::add_obstacle(const Plan& plan, const Obstacle& obstacle, Ind
     u_.push_back(velocity + relative_surface_velocity(obstacle, gap.normal, position));
     inverse_mass_.push_back(0.0);
     const double path = glm::dot(gap.normal, u_[point] - u_[surface]);
-    contacts_.paths.push_back({.points = {point, point, surface, surface},
-                               .weight = {1.0, 0.0, -1.0, 0.0},
-                               .normal = gap.normal,
-                               .thickness = plan.surface.max_thickness,
-                               .mass = 1.0 / inverse_mass_[point],
-                               .friction = obstacle.collider->friction,
-                               .target = path - std::max(0.0, gap.distance) / h,
-                               .gap = gap.distance - h * path,
-                               .pair = SurfaceContact::obstacle + number,
-                               .kind = FeaturePair::TwoEdges});
+    contacts_.all.push_back({.points = {point, point, surface, surface},
+                             .weight = {1.0, 0.0, -1.0, 0.0},
+                             .law = {.normal = gap.normal,
+                                     .mass = 1.0 / inverse_mass_[point],
+                                     .friction = obstacle.collider->friction,
+                                     .target = path - std::max(0.0, gap.distance) / h},
+                             .thickness = plan.surface.max_thickness,
+                             .gap = gap.distance - h * path,
+                             .pair = SurfaceContact::obstacle + number,
+                             .kind = FeaturePair::TwoEdges});
   }
 }
 
@@ -172,56 +163,41 @@ bool SurfaceSolver::stop_lowest(const Plan& plan, std::span<const Obstacle> obst
 
 // The velocity after an impact is e times that with which the path first touches. The velocities of the method that belong to positions are
 // ahead of it by its lag. What approaches slowly, or completes its further bounces, 2 e v / (a (1 - e)) long, within a substep, rests.
-void SurfaceSolver::find_rebounds(const Plan& plan, const Field& v0, double h, const Motion& motion) {
+void SurfaceSolver::find_rebounds(const Plan& plan, const Start& start, double h, const Motion& motion) {
   const double e = plan.surface.restitution;
   if (e == 0.0) return;
   const double slow = std::max(contact::rest_speed, 0.5 * (1.0 - e) / e);
-  for (SurfaceContact& contact : contacts_.touching) {
+  for (SurfaceContact& contact : contacts_.all) {
     if (contact.is_on_obstacle()) break;
     double path = 0.0, before = 0.0, after = 0.0, supplied = 0.0;  // [m/s], along the normal
     for (int c = 0; c < 4; ++c) {
       const Index k = contact.points[c], i = plan.surface.points[k];
-      const Vec3 weighted_normal = contact.weight[c] * contact.normal, start = vector_at(plan, v0, i);
+      const Vec3 weighted_normal = contact.weight[c] * contact.law.normal, v0 = vector_at(plan, start.v, i);
       path += glm::dot(weighted_normal, free_u_[k]);
-      before += glm::dot(weighted_normal, start);
+      before += glm::dot(weighted_normal, v0);
       after += glm::dot(weighted_normal, vector_at(plan, motion.v, i));
-      supplied += glm::dot(weighted_normal, free_velocity_[k] - start);
+      supplied += glm::dot(weighted_normal, vector_at(plan, start.free_v, i) - v0);
     }
     const double part = path < 0.0 ? std::clamp(-contact.gap / (h * path), 0.0, 1.0) : 1.0;
-    const double ahead = velocity_lag_ * supplied, approach = -(before + part * (after - before) + ahead);
-    if (approach > slow * std::abs(supplied)) contact.target = e * approach - ahead;
+    const double ahead = start.velocity_lag * supplied, approach = -(before + part * (after - before) + ahead);
+    if (approach > slow * std::abs(supplied)) contact.law.target = e * approach - ahead;
   }
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
-void SurfaceSolver::write(const Plan& plan, const Field& v0, double h, Motion& motion) {
-  // where the strain limit has moved points, contact moves them back, against springs whose force changes on the way
-  const double energy = is_limited_ ? mechanical_energy(plan, motion.time, motion) : 0.0;
-  double work = 0.0, lag_work = 0.0;
+void SurfaceSolver::write(const Plan& plan, const Start& start, double h, Motion& motion) {
+  work_ = lag_work_ = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const Index i = plan.surface.points[k];
     const Vec3 v1 = vector_at(plan, motion.v, i);
     if (inverse_mass_[k] == 0.0 || (u_[k] == free_u_[k] && velocity_[k] == v1)) continue;
-    const Vec3 supplied = free_velocity_[k] - vector_at(plan, v0, i);
+    const Vec3 supplied = vector_at(plan, start.free_v, i) - vector_at(plan, start.v, i);
     const double kinetic = 0.5 * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1));
-    work += plan.mass[i] * (kinetic - glm::dot(supplied, u_[k] - free_u_[k]));
-    lag_work += plan.mass[i] * velocity_lag_ * glm::dot(supplied, velocity_[k] - v1);
+    work_ += plan.mass[i] * (kinetic - glm::dot(supplied, u_[k] - free_u_[k]));
+    lag_work_ += plan.mass[i] * start.velocity_lag * glm::dot(supplied, velocity_[k] - v1);
     add_vector(plan, motion.x, i, h * (u_[k] - free_u_[k]));
     set_vector(plan, motion.v, i, velocity_[k]);
   }
-  if (is_limited_) work = mechanical_energy(plan, motion.time, motion) - energy;
-  book_contact_work(work, supplied_work(plan, motion), motion);
-  // impulses act at the velocity that belongs to the position; what the hand and colliders supply is part of the energy of the state
-  motion.energy.add(EnergyCause::Contact, lag_work);
-}
-
-// Impulses on the held point are bounded one by one: near it, they may be far larger than what the other points of a feature take of them.
-SuppliedWork SurfaceSolver::supplied_work(const Plan& plan, const Motion& motion) const {
-  const auto points = static_cast<Index>(x_.size()), end = static_cast<Index>(u_.size());
-  SuppliedWork supplied{.by_colliders = contacts_.max_work(points, end, velocity_)};
-  if (plan.hand.held)
-    supplied.by_hand = impacts_.held_impulse() * held_speed(plan, motion) + contacts_.max_work(held_, held_ + 1, velocity_);
-  return supplied;
 }
 
 }  // namespace hooke

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "sim/contact/contact_work.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_search.h"
 #include "sim/contact/surface/surface_contacts.h"
@@ -27,12 +26,19 @@ class SurfaceSolver {
 
   // Points may have been edited. What passes through each other now is left alone until the next frame.
   void begin_frame();
-  // Before other contacts: remembers the velocities that the method has led to, before the strain limit changed them, if it did.
-  void begin_substep(const Plan& plan, double velocity_lag, const Field* unlimited, const Motion& motion);
-  // Corrects the step of h that led from (x0, v0) to the motion. `near`: pairs of points that may touch each other in it; what features do
+  // A substep without this contact: where it started, and velocities to which the method led, without any contact and strain limit.
+  struct Start {
+    const Field &x, &v, &free_v;
+    double velocity_lag = 0.0;  // [1], of the method (integrator.h)
+  };
+  // Corrects the step of h that led from the start to the motion. `near`: pairs of points that may touch each other in it; what features do
   // to them does not press them into each other. Returns whether anything touched.
-  bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Field& x0, const Field& v0,
-               double h, Motion& motion);
+  bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, std::span<const PointPair> near, const Start& start, double h,
+               Motion& motion);
+  // [J], of contact in the substep, in addition to that of the forces: as the state has it, and what it does more, because its impulses act
+  // at the velocity that belongs to the position.
+  double work() const { return work_; }
+  double lag_work() const { return lag_work_; }
   // Whether the last call gave up: there are too many pairs, or impacts.
   bool has_failed() const { return has_failed_; }
 
@@ -48,20 +54,18 @@ class SurfaceSolver {
   void add_obstacle(const Plan& plan, const Obstacle& obstacle, Index number, double h, const Motion& motion);
   bool prevent_impacts(const Plan& plan, std::span<const Obstacle> obstacles, double h);
   bool stop_lowest(const Plan& plan, std::span<const Obstacle> obstacles, double h);
-  void find_rebounds(const Plan& plan, const Field& v0, double h, const Motion& motion);
-  void write(const Plan& plan, const Field& v0, double h, Motion& motion);
-  SuppliedWork supplied_work(const Plan& plan, const Motion& motion) const;
+  void find_rebounds(const Plan& plan, const Start& start, double h, const Motion& motion);
+  void write(const Plan& plan, const Start& start, double h, Motion& motion);
 
   SurfaceDetection detection_;
   SurfaceContacts contacts_;
   SurfaceImpacts impacts_;
-  double velocity_lag_ = 0.0;  // [1], of the method (integrator.h)
-  bool is_limited_ = false, has_failed_ = false;
+  double work_ = 0.0, lag_work_ = 0.0;  // [J]
+  bool has_failed_ = false;
   Index held_ = no_index;             // the held point
   std::vector<Index> local_;          // per point of the scene: of the surface; no_index: not on it
   std::vector<double> inverse_mass_;  // [1/kg], per point of the surface, as all of the following; and of obstacles that they touch
   std::vector<Vec3> x_, arm_;         // [m], at the start of the substep, and x1 - h v1
-  std::vector<Vec3> free_velocity_;   // [m/s], at its end without any contact and strain limit
   std::vector<Vec3> free_u_, u_;      // [m/s], of the path without and with this contact; the latter of obstacles, too
   std::vector<Vec3> velocity_;        // [m/s], at the end, of obstacles, too
   std::vector<char> is_marked_;
