@@ -5,6 +5,7 @@
 #include "app/document/files.h"
 #include "base/overloaded.h"
 #include "base/printable.h"
+#include "device/gpu_device.h"
 #include "scene/parameters.h"
 #include "study/compare_methods.h"
 
@@ -193,6 +194,21 @@ void App::switch_muscles() {
   const bool on = !status().snapshot->system->muscles.on;
   lab_.submit(SetParameter{find_parameter("muscles"), on ? 1.0 : 0.0});
   panels_.show_toast(on ? "Muscles and winches move" : "Muscles and winches stand still");
+}
+
+// The GPU computes what it can from the next frame on, or the CPU does again.
+void App::switch_device() {
+  if (status().run.on_device) {
+    lab_.submit(SetDevice{});
+    return panels_.show_toast("Computed on the CPU");
+  }
+  try {
+    const auto gpu = std::make_shared<GpuDevice>();
+    lab_.submit(SetDevice{gpu});
+    panels_.show_toast("Computed on the GPU: " + gpu->renderer());
+  } catch (const std::runtime_error& error) {
+    panels_.show_toast("Computed on the CPU: " + std::string(error.what()));
+  }
 }
 
 // The surface is shown, and without strain colors, so that the texture is visible.

@@ -78,6 +78,9 @@ void App::build_frame(const FrameStatistics& frame_statistics) {
   work_.follow(status(), panels_, lab_);
   const auto before = std::exchange(shown_, tool_context_.status);
   if (before && status().run.gas_releases > before->run.gas_releases) panels_.show_toast("A tear released the gas of a surface");
+  const std::string& refusal = status().run.device_refusal;
+  if (!refusal.empty() && !(before && refusal == before->run.device_refusal))
+    panels_.show_toast("Computed on the CPU: " + refusal);
   if (const std::string notice = std::exchange(tool_context_.notice, {}); !notice.empty()) panels_.show_toast(notice);
   if (before && before->history.list != status().history.list)
     if (const std::string moved = history_move(*before->history.list, *status().history.list); !moved.empty()) panels_.show_toast(moved);

@@ -100,6 +100,7 @@ class App {
   void show_or_hide_at_left(bool* panel);
   void choose_texture(const std::string& typed);
   void switch_muscles();
+  void switch_device();
   void show(const Scene& scene);
   void take_switches(const ViewSettings& view);
   void update_marks();

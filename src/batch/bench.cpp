@@ -106,7 +106,7 @@ class Bench {
     for (const Integrator* method : methods) {
       hooks_.begin_part(problem.id + "  " + std::string(method->id));
       const std::size_t rows = record.rows.size();
-      const bool finished = sweep.run(*method);
+      const bool finished = sweep.run(*method) && (request_.device == nullptr || sweep.run(*method, request_.device));
       const bool is_new = record.rows.size() > rows;
       hooks_.end_part(is_new);
       if (is_new) {

@@ -23,6 +23,7 @@ struct BenchRequest {
   Effort effort{};
   std::string effort_name = "full";
   std::optional<std::chrono::seconds> limit{};
+  std::shared_ptr<FrameDevice> device{};  // measures the methods that run there on it, too; null: none
   Shard shard{};                                  // of the pairs of a problem and a method
   std::optional<std::filesystem::path> folder{};  // resumes from the results in it and saves after every method; none: nothing is written
 };

@@ -10,7 +10,6 @@
 #include "base/text_lines.h"
 #include "base/threads/thread_time.h"
 #include "batch/scene_options.h"
-#include "device/gpu_device.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "scene/crossed_parts.h"
 #include "sim/control/automatic.h"
@@ -124,8 +123,8 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
   if (!totals.gas_releases.empty())
     results.warnings.push_back("tears released the gas of " + pluralize(totals.gas_releases.size(), "surface", "surfaces") + ", from " +
                                quantity_text(totals.gas_releases.front(), "s") + " on");
-  if (const auto* gpu = dynamic_cast<const GpuDevice*>(lab.plan().execution.device.get()); gpu != nullptr && !gpu->failure().empty())
-    results.warnings.push_back("the GPU stopped: " + gpu->failure() + "; the processor computed the rest");
+  if (const std::string refusal = lab.device_refusal(); !refusal.empty())
+    results.warnings.push_back(refusal + "; the processor computed the rest");
   if (tolerance.frames_beyond() > 0) results.warnings.push_back(tolerance.warning());
   if (!totals.diverged)
     if (const auto warning = accumulated_warning(lab.accuracy(), scene.settings)) results.warnings.push_back(*warning);

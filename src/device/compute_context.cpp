@@ -32,7 +32,8 @@ class Library {
 std::vector<Handle> card_contexts() {
   constexpr int extensions = 0x3055, platform_device = 0x313F, opengl_api = 0x30A2;
   constexpr std::array<int, 5> config_wanted{0x3040, 0x0008, 0x3033, -1, 0x3038};  // renderable: OpenGL; any surface; end
-  constexpr std::array<int, 7> wanted{0x3098, 4, 0x30FB, 3, 0x30FD, 1, 0x3038};    // 4.3; core profile; end
+  // where that exists, one that says when it was lost; 4.3; core profile; end
+  constexpr std::array<int, 9> wanted{0x31BD, 0x31BF, 0x3098, 4, 0x30FB, 3, 0x30FD, 1, 0x3038};
   const Library egl("libEGL.so.1");
   const auto find = egl.function<void*(const char*)>("eglGetProcAddress");
   const auto initialize = egl.function<int(void*, int*, int*)>("eglInitialize");
@@ -57,7 +58,8 @@ std::vector<Handle> card_contexts() {
     int configs = 0;
     if (display == nullptr || !initialize(display, nullptr, nullptr) || !bind(opengl_api)) continue;
     if (!choose(display, config_wanted.data(), &config, 1, &configs) || configs == 0) continue;
-    void* const context = create(display, config, nullptr, wanted.data());
+    void* context = create(display, config, nullptr, wanted.data());
+    if (context == nullptr) context = create(display, config, nullptr, wanted.data() + 2);
     if (context == nullptr) continue;
     contexts.push_back({.make_current = [=](bool on) { return make_current(display, nullptr, nullptr, on ? context : nullptr) != 0; },
                         .find = find,
@@ -88,12 +90,14 @@ std::vector<Handle> software_contexts() {
 
 }  // namespace
 
-ComputeContext::ComputeContext() {
+ComputeContext::ComputeContext(const std::function<void(GlFunctions&)>& change) {
   for (const auto contexts : {card_contexts, software_contexts}) {
-    if (!renderer_.empty()) return;
+    if (!renderer_.empty()) break;
+    is_card_ = contexts == card_contexts;
     for (const Handle& handle : contexts())
       if (!renderer_.empty() || !take(handle)) handle.destroy();
   }
+  if (change) change(gl_);
   if (renderer_.empty())
     throw std::runtime_error("no OpenGL 4.3, neither of a graphics card (libEGL.so.1) nor of the software renderer (libOSMesa.so.8)");
 }
@@ -117,7 +121,7 @@ bool ComputeContext::take(const Handle& handle) {
 
 void ComputeContext::run(const std::function<void(const GlFunctions& gl)>& work) {
   const auto run = [&] {
-    if (!handle_.make_current(true)) throw std::runtime_error("the context of OpenGL was lost");
+    if (!handle_.make_current(true)) throw std::runtime_error(lost_context);
     const std::shared_ptr<void> leave(nullptr, [&](void*) { handle_.make_current(false); });
     work(gl_);
   };

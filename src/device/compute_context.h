@@ -23,6 +23,7 @@ namespace hooke {
   X(GenBuffers, GENBUFFERS)               \
   X(GetBufferSubData, GETBUFFERSUBDATA)   \
   X(GetError, GETERROR)                   \
+  X(GetInteger64v, GETINTEGER64V)         \
   X(GetProgramInfoLog, GETPROGRAMINFOLOG) \
   X(GetProgramiv, GETPROGRAMIV)           \
   X(GetString, GETSTRING)                 \
@@ -46,10 +47,12 @@ struct GlFunctions {
   }
 };
 
+inline constexpr const char* lost_context = "the context of OpenGL was lost";
+
 class ComputeContext {
  public:
-  // Throws std::runtime_error with one line that says what is missing.
-  ComputeContext();
+  // Calls `change` on the functions of OpenGL, for tests of failures. Throws std::runtime_error with one line that says what is missing.
+  explicit ComputeContext(const std::function<void(GlFunctions&)>& change = {});
   ~ComputeContext();
   ComputeContext(const ComputeContext&) = delete;
   ComputeContext& operator=(const ComputeContext&) = delete;
@@ -58,6 +61,8 @@ class ComputeContext {
   void run(const std::function<void(const GlFunctions& gl)>& work);
   // "NVIDIA ..., OpenGL 4.6.0 ..."
   const std::string& renderer() const { return renderer_; }
+  // Whether that is a graphics card.
+  bool is_card() const { return is_card_; }
 
   // A context of EGL or OSMesa.
   struct Handle {
@@ -72,6 +77,7 @@ class ComputeContext {
   Handle handle_;
   GlFunctions gl_;
   std::string renderer_;
+  bool is_card_ = true;
 };
 
 }  // namespace hooke

@@ -4,7 +4,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "base/option_error.h"
 #include "device/constants.h"
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/methods/rows.h"
@@ -47,15 +46,20 @@ std::string needs_processor(const Plan& plan, const Integrator& method) {
   return {};
 }
 
-bool GpuDevice::advance(const Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) {
-  if (!failure_.empty() || steps.locates_breaks) return false;
-  if (const std::string needs = needs_processor(plan, steps.method); !needs.empty()) throw OptionError("device", "gpu", "not for " + needs);
+std::string GpuDevice::refusal(const Plan& plan, const Integrator& method) const {
+  if (!failure_.empty()) return "the GPU stopped: " + failure_;
+  const std::string needs = needs_processor(plan, method);
+  return needs.empty() ? "" : "not on the GPU: " + needs;
+}
+
+bool GpuDevice::advance(Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) {
+  if (steps.locates_breaks || !refusal(plan, steps.method).empty()) return false;
   const std::optional<EnergyCause> cause = cause_of(plan);
   const double before = cause ? mechanical_energy(plan, motion.time, motion) : 0.0;
   try {
     context_.run(
         [&](const GlFunctions& gl) { (plan.execution.single != nullptr ? single_ : double_).advance(gl, plan, steps, motion, broken); });
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {  // also where memory for its results is missing
     failure_ = error.what();
     return false;
   }
@@ -71,6 +75,14 @@ std::string describe_gpu() {
     return "GPU: " + ComputeContext().renderer();
   } catch (const std::runtime_error& error) {
     return "GPU: " + std::string(error.what());
+  }
+}
+
+bool has_graphics_card() {
+  try {
+    return ComputeContext().is_card();
+  } catch (const std::runtime_error&) {
+    return false;
   }
 }
 

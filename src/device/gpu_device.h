@@ -1,7 +1,7 @@
 // Frames computed by compute shaders of OpenGL 4.3, on a graphics card or, without one, by the software renderer.
 #pragma once
 
-#include <memory>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,15 +13,17 @@ namespace hooke {
 
 class GpuDevice final : public FrameDevice {
  public:
-  // Throws std::runtime_error with one line where there is no OpenGL 4.3.
-  GpuDevice() = default;
-  // In single precision if the plan is computed in it. The processor computes frames in which breaks are located, and all of them after a
-  // failure of the device. Throws OptionError for a scene that needs the processor.
-  bool advance(const Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) override;
+  // As ComputeContext: throws std::runtime_error where there is no OpenGL 4.3.
+  explicit GpuDevice(const std::function<void(GlFunctions&)>& change = {}) : context_(change) {}
+  // In single precision if the plan is computed in it. The processor computes frames in which breaks are located or which it refuses, and
+  // all of them after a failure of the device.
+  bool advance(Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) override;
+  // "not on the GPU: struts", or "the GPU stopped: out of memory".
+  std::string refusal(const Plan& plan, const Integrator& method) const override;
 
   const std::string& renderer() const { return context_.renderer(); }
-  // Why the device stopped; empty: it did not.
-  const std::string& failure() const { return failure_; }
+  // [bytes] sent to the device so far.
+  std::size_t sent_bytes() const { return single_.sent_bytes() + double_.sent_bytes(); }
 
  private:
   ComputeContext context_;
@@ -34,5 +36,7 @@ std::string needs_processor(const Plan& plan, const Integrator& method);
 
 // "GPU: ..." with the renderer, or why there is none: a line of --version.
 std::string describe_gpu();
+// Whether that is a graphics card, not the software renderer.
+bool has_graphics_card();
 
 }  // namespace hooke

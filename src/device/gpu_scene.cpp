@@ -2,36 +2,56 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <stdexcept>
 
 #include "device/constants.h"
-#include "sim/forces/spring_laws.h"
+#include "sim/forces/break_spring.h"
 #include "sim/methods/rows.h"
 
 namespace hooke {
+namespace {
 
-void GpuScene::put(Binding binding, std::span<const std::byte> bytes) {
-  std::vector<std::byte>& contents = contents_[binding];
-  if (!bytes.empty() && contents.size() == bytes.size() && std::memcmp(contents.data(), bytes.data(), bytes.size()) == 0) return;
-  contents.assign(bytes.begin(), bytes.end());
-  if (buffers_[binding] == 0) gl_->GenBuffers(1, &buffers_[binding]);
-  gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffers_[binding]);
-  constexpr std::array<double, 4> nothing{};  // a buffer must not be empty
-  if (bytes.empty()) bytes = std::as_bytes(std::span(nothing));
-  gl_->BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_DYNAMIC_DRAW);
+std::vector<float> rounded(std::span<const double> numbers) { return {numbers.begin(), numbers.end()}; }
+
+// Throws std::runtime_error if a call has failed since the last time.
+void check_errors(const GlFunctions& gl) {
+  const GLenum error = gl.GetError();
+  if (error == GL_CONTEXT_LOST) throw std::runtime_error(lost_context);
+  if (error == GL_OUT_OF_MEMORY) throw std::runtime_error("out of memory");
+  if (error != GL_NO_ERROR) throw std::runtime_error("error " + std::to_string(error) + " of OpenGL");
 }
 
-void GpuScene::put(Binding binding, std::span<const double> numbers) {
-  if (is_single_)
-    put(binding, std::as_bytes(std::span<const float>(std::vector<float>(numbers.begin(), numbers.end()))));
-  else
-    put(binding, std::as_bytes(numbers));
+}  // namespace
+
+// `content`: null where passes write it.
+void GpuScene::fill(GLuint& buffer, std::size_t bytes, const void* content) {
+  GLint64 max = 0;
+  gl_->GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &max);
+  if (static_cast<GLint64>(bytes) > max) throw std::runtime_error("its buffers contain at most " + std::to_string(max) + " bytes");
+  if (buffer == 0) gl_->GenBuffers(1, &buffer);
+  gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+  constexpr std::size_t min_bytes = 32;  // a buffer must not be empty
+  gl_->BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes > 0 ? bytes : min_bytes), bytes > 0 ? content : nullptr,
+                  GL_DYNAMIC_DRAW);
+  if (content != nullptr) sent_bytes_ += bytes;
+}
+
+// Whether it differs from what the buffer contains, and was sent.
+bool GpuScene::put(Binding binding, std::span<const std::byte> bytes) {
+  std::vector<std::byte>& content = contents_[binding];
+  if (buffers_[binding] != 0 && std::ranges::equal(content, bytes)) return false;
+  content.assign(bytes.begin(), bytes.end());
+  fill(buffers_[binding], bytes.size(), bytes.data());
+  return true;
+}
+
+bool GpuScene::put(Binding binding, std::span<const double> numbers) {
+  return is_single_ ? put(binding, std::as_bytes(std::span<const float>(rounded(numbers)))) : put(binding, std::as_bytes(numbers));
 }
 
 template <class Number>
 std::vector<Number> GpuScene::read(GLuint buffer, std::size_t count) const {
-  std::vector<Number> numbers(count);
+  std::vector<Number> numbers(count, static_cast<Number>(-1));  // a lost context writes nothing
   gl_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
   gl_->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(Number)), numbers.data());
@@ -44,41 +64,54 @@ std::vector<double> GpuScene::read_numbers(GLuint buffer, std::size_t count) con
   return {numbers.begin(), numbers.end()};
 }
 
-void GpuScene::upload(const Plan& plan, const FrameSteps& steps, const Motion& motion) {
+void GpuScene::upload(const FrameSteps& steps, const Motion& motion) {
+  const Plan& plan = *plan_;
   if (!is_grid(plan) && (plan.spring.runs != runs_ || graph_.neighbors.first.size() != static_cast<std::size_t>(plan.points) + 1)) {
     runs_ = plan.spring.runs;
     graph_ = graph_of(plan);
   }
   put(FirstNeighbor, graph_.neighbors.first);
   put(Neighbors, graph_.neighbors.items);
-  put(Springs, spring_numbers(plan));
-  put(FrameNumbers, frame_numbers(plan, steps));
-  put(Moments, moment_numbers(plan, steps, motion.time));
-  put(Panels, std::as_bytes(std::span(plan.force_data.panels)));
+  put(SpringEnds, graph_.ends);
+  put(BreakLimits, limit_numbers(plan));
+  put(PanelCorners, std::as_bytes(std::span(plan.force_data.panels)));
   const PointLists panels = plan.force_data.panels.empty() ? PointLists() : panels_of_points(plan);
   put(FirstPanel, panels.first);
   put(PanelsOfPoints, panels.items);
   put(Radii, plan.radius);
-  sweeps_ = plan.has_dashpots() && steps.method.splits_dashpots ? sweep_levels(plan, 0.5 * steps.h) : SweepLevels();
-  put(Sweeps, sweeps_.numbers);
-  put(SpringEnds, graph_.ends);
+  put(FrameNumbers, frame_numbers(plan, steps));
+  put(Moments, moment_numbers(plan, steps, motion.time));
   put(Colliders, collider_numbers(plan, steps, motion.time));
-  // what passes write
-  for (const Binding binding : {BreakLimits, Events, Accelerations}) contents_[binding].clear();
-  put(BreakLimits, limit_numbers(plan));
-  put(Events, std::vector<Index>(static_cast<std::size_t>(steps.count), 0));
-  put(Accelerations, std::vector<double>(4 * static_cast<std::size_t>(plan.points)));
+  fill(buffers_[Events], std::as_bytes(std::span<const Index>(std::vector<Index>(static_cast<std::size_t>(steps.count), 0))));
+  if (accelerations_ != plan.points) fill(buffers_[Accelerations], state_bytes() / 3, nullptr);
+  accelerations_ = plan.points;
+  const bool has_masses = inverse_mass_ == plan.inverse_mass;  // not where the hand takes or releases a point
+  if (!has_masses)
+    for (Resident& each : residents_) each.x.clear();
+  inverse_mass_ = plan.inverse_mass;
+
+  const double sweep = plan.has_dashpots() && steps.method.splits_dashpots ? 0.5 * steps.h : 0.0;
+  if (!put(Springs, spring_numbers(plan)) && has_masses && sweep == sweep_) return;
+  sweep_ = sweep;
+  sweeps_ = sweep > 0.0 ? sweep_levels(plan, sweep) : SweepLevels();
+  put(Sweeps, sweeps_.numbers);
 }
 
-void GpuScene::upload_state(const Motion& motion) {
-  if (states_[0] == 0) gl_->GenBuffers(static_cast<int>(states_.size()), states_.data());
-  contents_[FromState].clear();
-  buffers_[FromState] = states_[0];
-  put(FromState, state_numbers(*plan_, motion));
-  for (const GLuint state : {states_[1], states_[2]}) {
-    gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, state);
-    gl_->BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(contents_[FromState].size()), nullptr, GL_DYNAMIC_DRAW);
+void GpuScene::find_resident(const Motion& motion) {
+  auto found = std::ranges::find_if(residents_, [&](const Resident& each) { return each.x == motion.x && each.v == motion.v; });
+  const bool is_there = found != residents_.end();
+  if (!is_there) --found;
+  std::rotate(residents_.begin(), found, found + 1);
+  Resident& resident = residents_.front();
+  if (!is_there) {
+    const std::vector<double> numbers = state_numbers(*plan_, motion);
+    is_single_ ? fill(resident.states[0], std::as_bytes(std::span<const float>(rounded(numbers))))
+               : fill(resident.states[0], std::as_bytes(std::span(numbers)));
+    for (std::size_t s = 1; s < resident.states.size(); ++s) fill(resident.states[s], state_bytes(), nullptr);
+    resident.state = 0;
   }
+  resident_ = &resident;
+  state_ = start_ = resident.state;
 }
 
 std::string GpuScene::definitions() const {
@@ -124,8 +157,8 @@ GLuint GpuScene::program_of(std::string_view pass) {
 
 void GpuScene::run(std::string_view pass, Index threads, int from, int to, const Call& call) {
   gl_->UseProgram(program_of(pass));
-  gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, FromState, states_[static_cast<std::size_t>(from)]);
-  gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, ToState, states_[static_cast<std::size_t>(to)]);
+  gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, FromState, resident_->states[static_cast<std::size_t>(from)]);
+  gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, ToState, resident_->states[static_cast<std::size_t>(to)]);
   const int acting = (call.acts_predicted ? 2 : 1) * plan_->points;
   // in the order of their locations
   const std::array uniforms{plan_->points, int(call.pass), call.moment, acting, call.substep, call.reused, call.first, call.end};
@@ -139,7 +172,8 @@ void GpuScene::run(std::string_view pass, Index threads, int from, int to, const
 }
 
 void GpuScene::move(const Call& call) {
-  const int count = static_cast<int>(states_.size()), after = (state_ + 1) % count, next = after == start_ ? (after + 1) % count : after;
+  const int count = static_cast<int>(resident_->states.size()), after = (state_ + 1) % count,
+            next = after == start_ ? (after + 1) % count : after;
   run("move.comp", plan_->points, state_, next, call);
   state_ = next;
 }
@@ -161,10 +195,10 @@ void GpuScene::run_one_by_one(const FrameSteps& steps) {
   for (int k = 0; k < steps.count; ++k) {
     start_ = state_;
     if (!sweeps_.begin.empty()) {
-      state_ = (start_ + 1) % static_cast<int>(states_.size());
-      gl_->BindBuffer(GL_COPY_READ_BUFFER, states_[static_cast<std::size_t>(start_)]);
-      gl_->BindBuffer(GL_COPY_WRITE_BUFFER, states_[static_cast<std::size_t>(state_)]);
-      gl_->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(contents_[FromState].size()));
+      gl_->BindBuffer(GL_COPY_READ_BUFFER, present());
+      state_ = (start_ + 1) % static_cast<int>(resident_->states.size());
+      gl_->BindBuffer(GL_COPY_WRITE_BUFFER, present());
+      gl_->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(state_bytes()));
       sweep(true);
     }
     if (&steps.method == &symplectic_euler) {
@@ -187,26 +221,23 @@ void GpuScene::sweep(bool is_forward) {
   }
 }
 
-void GpuScene::read_broken(Motion& motion, std::vector<Index>& broken) {
-  contents_[Springs].clear();
-  const auto limits = read_numbers(buffers_[BreakLimits], 2 * plan_->spring.break_length.size());
-  for (Index s = 0; s < plan_->springs; ++s) {
-    const double length = limits[2 * static_cast<std::size_t>(s) + 1];
-    if (length == 0.0) continue;
-    ++motion.counts.breaks;
-    motion.energy.add(EnergyCause::Breaks, -response_of(*plan_, s, motion.time, length).of.energy);
-    broken.push_back(plan_->spring.index[s]);
-  }
+void GpuScene::break_springs(const std::vector<double>& limits, Motion& motion, std::vector<Index>& broken) {
+  for (Index s = 0; s < plan_->springs; ++s)
+    if (const double length = limits[2 * static_cast<std::size_t>(s) + 1]; length != 0.0) break_spring(*plan_, motion, s, length, broken);
   std::sort(broken.begin(), broken.end());
+  refresh_grid_stiffness(*plan_);
+  // the pass has changed them
+  contents_[Springs].clear();
+  contents_[BreakLimits].clear();
 }
 
-void GpuScene::advance(const GlFunctions& gl, const Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) {
+void GpuScene::advance(const GlFunctions& gl, Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) {
   gl_ = &gl;
   plan_ = &plan;
-  state_ = start_ = 0;
-  upload(plan, steps, motion);
+  upload(steps, motion);
+  find_resident(motion);
+  check_errors(gl);
   definitions_ = definitions();
-  upload_state(motion);
   for (GLuint binding = Accelerations; binding < bindings; ++binding)
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers_[binding]);
 
@@ -214,14 +245,21 @@ void GpuScene::advance(const GlFunctions& gl, const Plan& plan, const FrameSteps
   const bool changes_wind = !plan.forces.empty() && &steps.method == &velocity_verlet;
   acts_between || changes_wind || !sweeps_.begin.empty() ? run_one_by_one(steps) : run_fused(steps);
 
+  const auto n = static_cast<std::size_t>(plan.points);
   const auto events = read<std::uint32_t>(buffers_[Events], static_cast<std::size_t>(steps.count));
-  const auto numbers = read_numbers(states_[static_cast<std::size_t>(state_)], 8 * static_cast<std::size_t>(plan.points));
-  if (const GLenum error = gl.GetError(); error != GL_NO_ERROR)
-    throw std::runtime_error(error == GL_OUT_OF_MEMORY ? "out of memory" : "error " + std::to_string(error) + " of OpenGL");
+  const bool breaks = std::ranges::any_of(events, [](std::uint32_t event) { return (event & 2u) != 0; });
+  const auto numbers = read_numbers(present(), 8 * n);
+  const auto limits = breaks ? read_numbers(buffers_[BreakLimits], 2 * plan.spring.break_length.size()) : std::vector<double>();
+  check_errors(gl);
+  if (numbers[4 * n - 1] < 0.0) throw std::runtime_error(lost_context);
+
   motion.time += steps.count * steps.h;
   motion.counts.force_evaluations += steps.count;
   read_state(numbers, plan, motion);
-  if (std::ranges::any_of(events, [](std::uint32_t event) { return (event & 2u) != 0; })) read_broken(motion, broken);
+  if (breaks) break_springs(limits, motion, broken);
+  resident_->state = state_;
+  resident_->x = motion.x;
+  resident_->v = motion.v;
 }
 
 }  // namespace hooke

@@ -91,14 +91,16 @@ void read_state(const std::vector<double>& numbers, const Plan& plan, Motion& mo
     }
 }
 
-// Direction by direction, and cell by cell.
+// Direction by direction, and cell by cell. The last row has springs to the right only; the grid does not store the others.
 std::vector<double> grid_numbers(const Plan& plan, const Grid& grid) {
   std::vector<double> numbers;
+  const Index rows = stored_rows(grid);
   for (std::size_t d = 0; d < Grid::directions; ++d)
-    for (Index r = 0; r < stored_rows(grid); ++r)
+    for (Index r = 0; r < rows; ++r)
       for (Index c = 0; c < grid.columns; ++c) {
-        const double damping = plan.has_dashpots() ? grid.damping[d].row(r)[c] : 0.0;
-        append(numbers, {grid.stiffness[d].row(r)[c], grid.rest_length[d].row(r)[c], damping});
+        const bool is_stored = d == Grid::Right || rows == 1 || r + 1 < rows;
+        const double damping = is_stored && plan.has_dashpots() ? grid.damping[d].row(r)[c] : 0.0;
+        append(numbers, is_stored ? Vec3(grid.stiffness[d].row(r)[c], grid.rest_length[d].row(r)[c], damping) : Vec3(0.0));
       }
   return numbers;
 }

@@ -20,7 +20,7 @@ enum Binding {
   Springs,
   FrameNumbers,
   Moments,
-  Panels,
+  PanelCorners,
   FirstPanel,
   PanelsOfPoints,
   Radii,

@@ -13,6 +13,7 @@
 namespace hooke {
 
 struct Recording;
+class FrameDevice;
 
 struct Undo {};
 struct Redo {};
@@ -54,6 +55,9 @@ struct Open {               // another document, with an empty history
   bool unsaved = false;  // it contains unsaved changes
 };
 struct MarkSaved {};
+struct SetDevice {  // computes the frames of scenes that it does not refuse; null: the processor computes all
+  std::shared_ptr<FrameDevice> device;
+};
 struct Record {                                       // starts a recording; an earlier one ends
   std::shared_ptr<const std::filesystem::path> file;  // null: only ends it
 };
@@ -61,7 +65,7 @@ struct Play {  // opens the start of a recording and replays it, until its end o
   std::shared_ptr<const Recording> recording;
 };
 using ControlVariant = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, SetAccuracy,
-                                    SetCompanions, GoToStart, SetStart, ResetParameters, ReleaseNails, Open, MarkSaved, Record, Play>;
+                                    SetCompanions, GoToStart, SetStart, ResetParameters, ReleaseNails, Open, MarkSaved, SetDevice, Record, Play>;
 // Copies are compiled once, in lab_controls.cpp.
 struct Control : ControlVariant {
   using ControlVariant::ControlVariant;

@@ -225,6 +225,7 @@ void Lab::begin_frame() {
   start_.keep_edits(scene_);
   if (frame_history_.timeline().empty() || frame_history_.timeline().last_time() != scene_.state.time) add_to_timeline(false);
   Settings settings = scene_.settings;
+  plan_.execution.device = device_refusal().empty() ? progress_.device : nullptr;
   settings.measures_damping = measuring_.meter.mode() != AccuracyMode::Off;
   frame_.begin(plan_, scene_.system, settings, scene_.state);
   progress_.in_frame = true;

@@ -37,7 +37,7 @@ class Lab {
   void submit(Command command, Gesture gesture = 0);
   void submit(Control control, Gesture gesture = 0);
 
-  // On how many threads and in which precision frames are computed, from the next one on.
+  // On what and in which precision frames are computed, from the next one on.
   void set_execution(Execution execution);
 
   // Applies the queue, then computes as many frames as `real_seconds` at the speed of the scene require, until `should_continue` returns
@@ -79,6 +79,8 @@ class Lab {
   // The scene as GoToStart would leave it; as it is now if no start is kept.
   Scene scene_at_start();
 
+  // Why the processor computes the frames although a device is set; empty: it does not, or none is.
+  std::string device_refusal() const;
   // The scene compiled for stepping, as of the last frame or edit.
   const Plan& plan() const { return plan_; }
 

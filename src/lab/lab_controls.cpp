@@ -7,6 +7,7 @@
 #include "lab/reset_parameters.h"
 #include "scene/parameters.h"
 #include "sim/control/automatic.h"
+#include "sim/step/frame_device.h"
 
 namespace hooke {
 
@@ -56,6 +57,13 @@ void Lab::rebuild_plan() {
 void Lab::set_execution(Execution execution) {
   execution.phases = plan_.execution.phases;
   plan_.execution = std::move(execution);
+  progress_.device = plan_.execution.device;
+}
+
+std::string Lab::device_refusal() const {
+  if (progress_.device == nullptr) return {};
+  if (playback_.is_on() || recorder_.file() != nullptr) return "not on the GPU: recordings, whose replay has the same bits";
+  return progress_.device->refusal(plan_, *scene_.settings.integrator);
 }
 
 Scene Lab::scene_at_start() {
@@ -200,6 +208,13 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  [&](const MarkSaved&) {
                    start_.keep_edits(scene_);
                    history_.mark_saved();
+                 },
+                 [&](const SetDevice& set) {
+                   drop_frame();
+                   progress_.device = set.device;
+                   // the runs beside the run, too
+                   companions_.restart();
+                   measuring_.meter.note_edit();
                  },
                  [&](const Record& what) { record(what); },
                  [&](const Play& what) { play(what); },

@@ -14,6 +14,8 @@
 
 namespace hooke {
 
+class FrameDevice;
+
 // From this number of points on, memory counts more than the time that it takes to allocate it again: a laboratory without a start, and the
 // monitor of a run, keep nothing between frames that can be computed again.
 inline constexpr std::size_t min_points_of_large_run = 100'000;
@@ -24,6 +26,8 @@ struct FrameProgress {
   bool must_finish = false;         // an edit discarded the previous frame
   std::vector<Command> held_edits;  // applied while a frame that they do not affect is in progress; recorded after it
   State end;                        // result of the frame
+  // Computes the frames of scenes that it does not refuse; null: the processor computes all.
+  std::shared_ptr<FrameDevice> device;
 };
 
 // What is measured of the run.

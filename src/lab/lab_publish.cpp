@@ -86,7 +86,9 @@ RunStatus Lab::run_status() const {
           .limit_power = clock_.is_running() ? tallies_.last_limit_work * scene_.settings.frame_rate : 0.0,
           .limit_work = tallies_.limit_work,
           .gas_releases = tallies_.gas_releases.size(),
-          .crossings = last_frame().motion().crossings};
+          .crossings = last_frame().motion().crossings,
+          .on_device = progress_.device != nullptr,
+          .device_refusal = device_refusal()};
 }
 
 TimelineStatus Lab::timeline_status() const {

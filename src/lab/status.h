@@ -39,6 +39,8 @@ struct RunStatus {
   double limit_power = 0.0, limit_work = 0.0;  // [W] now and [J] in total, of the strain limit on the scene
   std::size_t gas_releases = 0;                // surfaces filled with gas that tears have opened
   long crossings = 0;                          // as Motion, at the start of the last frame
+  bool on_device = false;                      // a device was chosen
+  std::string device_refusal;                  // why it does not compute the frames; empty: it does
 
   double ms(Phase phase) const { return phase_ms[static_cast<std::size_t>(phase)]; }
   double simulate_ms() const { return ms(Phase::Forces) + ms(Phase::Contact) + ms(Phase::Solve) + ms(Phase::Auto); }

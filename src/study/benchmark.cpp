@@ -1,6 +1,7 @@
 #include "study/benchmark.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "base/formatted.h"
@@ -59,7 +60,7 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
   if (!plan_.spring.break_length.empty()) refresh_values(plan_, problem_.system);  // restores springs that broke in the previous run
 
   for (int i = 0; i < frames * snapshot_count; ++i) {
-    const double begin = thread_cpu_seconds();
+    const double begin = now();
     frame_.begin(plan_, problem_.system, settings, state);
     for (int calls = 1; !frame_.done(); ++calls) {
       frame_.substep(plan_);
@@ -73,7 +74,7 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
       result.end = frame_.failure() == StepFailure::MatrixTooLarge ? RunResult::End::TooLarge : RunResult::End::Diverged;
       return result;
     }
-    result.cpu_seconds += thread_cpu_seconds() - begin;
+    result.cpu_seconds += now() - begin;
     add(result, frame_.motion());
     if (is_auto) result.model_ms += frame_.cost(plan_);
 
@@ -85,6 +86,11 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
   }
   result.model_ms += frame_.trial_cost() - trials_before;
   return result;
+}
+
+double Benchmark::now() const {
+  const std::chrono::duration<double> real = std::chrono::steady_clock::now().time_since_epoch();
+  return plan_.execution.device != nullptr ? real.count() : thread_cpu_seconds();
 }
 
 Setting Benchmark::finer(const Setting& setting) const {

@@ -36,7 +36,7 @@ struct RunResult {
   enum class End { Finished, Diverged, Stopped, TooLarge };  // too large for the method
   End end = End::Finished;
   std::vector<State> snapshots;  // those that were reached
-  double cpu_seconds = 0.0;      // of stepping alone
+  double cpu_seconds = 0.0;      // of stepping alone; real time on a device
   WorkCounts work;
   long unconverged_solves = 0;
   double model_ms = 0.0;  // [ms], of `auto`: its cost by the model, with that of its choices
@@ -51,7 +51,13 @@ class Benchmark {
   // The same from another initial state.
   RunResult run(const Integrator& method, const Setting& setting, const State& start, const std::function<bool()>& should_continue);
 
+  // Computes the frames that it does not refuse from now on; null: the processor computes all.
+  void set_device(std::shared_ptr<FrameDevice> device) { plan_.execution.device = std::move(device); }
+  // [s], CPU time of this thread, or with a device real time.
+  double now() const;
+
   const Problem& problem() const { return problem_; }
+  const Plan& plan() const { return plan_; }
   const Spectrum& spectrum() const { return plan_.spectrum; }
   double resolving_step() const { return plan_.collider_paths.resolving_step; }  // [s], of the colliders (plan.h)
   // [s]; for an adaptive method the longest step it may take.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/threads/thread_time.h"
+#include "sim/step/frame_device.h"
 
 namespace hooke {
 namespace {
@@ -48,7 +48,9 @@ ProblemRecord make_record(const Problem& problem) {
 PrecisionSweep::PrecisionSweep(const Problem& problem, const Effort& effort, ProblemRecord& record)
     : problem_(problem), effort_(effort), record_(record), benchmark_(problem) {}
 
-bool PrecisionSweep::run(const Integrator& method) {
+bool PrecisionSweep::run(const Integrator& method, const std::shared_ptr<FrameDevice>& device) {
+  if (device != nullptr && !device->refusal(benchmark_.plan(), method).empty()) return true;
+  device_ = device;
   const Setting first = coarsest_setting(benchmark_, method);
   const Row* row = measure(method, first);
   if (row != nullptr && is_stable(*row)) sweep_coarser(method, first);
@@ -112,7 +114,7 @@ const Row* PrecisionSweep::measure(const Integrator& method, const Setting& sett
   if (stopped_) return nullptr;
   const std::string name = benchmark_.name(setting);
   for (const Row& row : record_.rows)
-    if (row.method == method.id && row.setting == name) return &row;
+    if (row.method == name_of(method) && row.setting == name) return &row;
 
   std::optional<Row> row = ensure_reference() ? measure_row(method, setting) : std::nullopt;
   if (!row) {
@@ -125,12 +127,14 @@ const Row* PrecisionSweep::measure(const Integrator& method, const Setting& sett
 }
 
 std::optional<Row> PrecisionSweep::measure_row(const Integrator& method, const Setting& setting) {
-  Row row{.method = std::string(method.id), .setting = benchmark_.name(setting), .tolerance = setting.tolerance};
+  Row row{.method = name_of(method), .setting = benchmark_.name(setting), .tolerance = setting.tolerance};
   if (!setting.tolerance) row.step = benchmark_.step(setting);
 
   // abandon a run that takes far longer than the sweep allows
-  double begin = thread_cpu_seconds();
-  const auto within_time = [&] { return should_continue() && thread_cpu_seconds() - begin < 5.0 * effort_.run_seconds; };
+  benchmark_.set_device(device_);
+  if (device_ != nullptr) benchmark_.run(method, setting, [] { return false; });  // compiles the passes
+  double begin = benchmark_.now();
+  const auto within_time = [&] { return should_continue() && benchmark_.now() - begin < 5.0 * effort_.run_seconds; };
   RunResult result = benchmark_.run(method, setting, within_time);
   if (!should_continue()) return std::nullopt;
   row.work = result.work;
@@ -144,7 +148,7 @@ std::optional<Row> PrecisionSweep::measure_row(const Integrator& method, const S
   // the minimum time of several runs, as many as fit in the time of one long run
   double min = result.cpu_seconds, spent = min;
   while (row.runs < effort_.repeats && spent + min < effort_.run_seconds) {
-    begin = thread_cpu_seconds();
+    begin = benchmark_.now();
     const RunResult again = benchmark_.run(method, setting, within_time);
     if (again.end != RunResult::End::Finished) return std::nullopt;
     spent += again.cpu_seconds;

@@ -81,12 +81,14 @@ class PrecisionSweep {
   std::function<bool()> should_continue = [] { return true; };
   std::function<void()> row_done = [] {};
 
-  // False when interrupted, or when the problem has no reference.
-  bool run(const Integrator& method);
+  // With a device, rows of "velocity_verlet on GPU", in real time, where it does not refuse the method. False when interrupted, or when the
+  // problem has no reference.
+  bool run(const Integrator& method, const std::shared_ptr<FrameDevice>& device = nullptr);
   ReferenceResult::Failure reference_failure() const { return reference_failure_; }
   const std::string& reference_failure_reason() const { return reference_failure_reason_; }
 
  private:
+  std::string name_of(const Integrator& method) const { return std::string(method.id) + (device_ ? " on GPU" : ""); }
   const Row* measure(const Integrator& method, const Setting& setting);
   std::optional<Row> measure_row(const Integrator& method, const Setting& setting);
   bool ensure_reference();
@@ -97,6 +99,7 @@ class PrecisionSweep {
   const Effort& effort_;
   ProblemRecord& record_;
   Benchmark benchmark_;
+  std::shared_ptr<FrameDevice> device_;  // of the rows that are measured; null: the processor
   std::optional<Reference> reference_;
   ReferenceResult::Failure reference_failure_ = ReferenceResult::Failure::None;
   std::string reference_failure_reason_;

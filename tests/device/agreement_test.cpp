@@ -16,7 +16,7 @@ namespace {
 // Counts the frames that a device computed.
 class CountedDevice final : public FrameDevice {
  public:
-  bool advance(const Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) override {
+  bool advance(Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) override {
     const bool done = device().advance(plan, steps, motion, broken);
     frames += done ? 1 : 0;
     return done;
@@ -131,6 +131,27 @@ TEST(GpuDevice, TheSameSceneGivesTheSameBitsTwice) {
     const auto run_once = [&] { return hash_state(run_on(scene, symplectic_euler, {.device = std::make_shared<GpuDevice>()})); };
     EXPECT_EQ(run_once(), run_once()) << fields;
   }
+}
+
+TEST(GpuDevice, AMotionThatNothingEditsStaysOnTheDevice) {
+  const auto device = std::make_shared<GpuDevice>();
+  Lab lab(parse(sheet({"", hung, 30})));
+  lab.set_execution({.device = device});
+  const auto sent_by = [&](int count) {
+    const std::size_t before = device->sent_bytes();
+    for (int frame = 0; frame < count; ++frame) {
+      EXPECT_TRUE(lab.step());
+      lab.measure_accuracy([] { return true; });
+    }
+    return device->sent_bytes() - before;
+  };
+  const std::size_t state = 96 * 30 * 30;  // [bytes]
+  // the run and the two beside it, which start anew now and then
+  EXPECT_GT(sent_by(1), 3 * state);
+  EXPECT_LT(sent_by(20) / 20, state / 2);
+  lab.submit(SetNailed{.items = {{PointId{450}, true}}});
+  EXPECT_GT(sent_by(1), 3 * state);
+  EXPECT_LT(sent_by(10) / 10, state / 2);
 }
 
 TEST(GpuDevice, SinglePrecisionStaysNearDouble) {

@@ -4,6 +4,7 @@
 
 #include "base/folder_listing.h"
 #include "base/printable.h"
+#include "device/gpu_device.h"
 #include "formats/open_file.h"
 #include "formats/scene_check.h"
 #include "formats/scene_file.h"
@@ -32,9 +33,21 @@ std::string opening_notice(const Scene& scene, const std::vector<std::string>& w
   return joined(lines);
 }
 
+LoadedScene load_fitting(const std::filesystem::path& file, const Progress& progress, const ImportOptions& options) {
+  const std::filesystem::path large = is_shipped(file) ? file.parent_path() / "large" / file.filename() : std::filesystem::path();
+  std::error_code error;
+  if (!std::filesystem::exists(large, error)) return load_file(file, progress, options);
+  const bool is_fit = has_graphics_card();
+  LoadedScene loaded = load_file(is_fit ? large : file, progress, options);
+  loaded.warnings.push_back(is_fit ? "Its speed is that of a graphics card: set Compute on to GPU."
+                                   : "Opened with " + std::to_string(loaded.scene.system.point_count()) +
+                                         " points: all of them need a graphics card with OpenGL 4.3.");
+  return loaded;
+}
+
 Opened try_open(const std::filesystem::path& file, const Progress& progress, const ImportOptions& options) {
   try {
-    LoadedScene loaded = load_file(file, progress, options);
+    LoadedScene loaded = load_fitting(file, progress, options);
     std::string notice = opening_notice(loaded.scene, loaded.warnings, file);
     return {std::make_shared<const Scene>(std::move(loaded.scene)), {}, std::move(notice), std::move(loaded.summary)};
   } catch (const std::runtime_error& refusal) {  // InputError or FileError

@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "edit/command.h"
 #include "formats/import_options.h"
+#include "formats/scene_file.h"
 
 namespace hooke {
 
@@ -18,6 +19,10 @@ std::string joined(const std::vector<std::string>& lines);
 // What the window says about a scene that was just opened: warnings about its file, without its path; or, where the scene is about
 // instability, its lesson instead of the warning that it is unstable.
 std::string opening_notice(const Scene& scene, const std::vector<std::string>& warnings, const std::filesystem::path& file);
+
+// Where a shipped scene has a large version for graphics cards (assets/scenes/large), opens it if there is one, and else says how many points
+// are missing. Throws InputError, FileError.
+LoadedScene load_fitting(const std::filesystem::path& file, const Progress& progress = {}, const ImportOptions& options = {});
 
 struct Opened {
   std::shared_ptr<const Scene> scene;  // null on error

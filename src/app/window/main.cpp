@@ -52,7 +52,7 @@ std::unique_ptr<App> open_scene(const std::string& name) {
     recording = std::make_shared<const Recording>(read_recording(file));
     loaded.scene = *recording->start;
   } else {
-    loaded = load_file(file);
+    loaded = load_fitting(file);
   }
   // a file of another format is imported: the document has no file
   const bool imported = recording || (find_readable_kind(file) != nullptr && !is_scene_file(file));
@@ -64,7 +64,7 @@ std::unique_ptr<App> open_scene(const std::string& name) {
   return app;
 }
 
-int open_window(const std::string& name, bool from_desktop) {
+int open_window(const std::string& name, bool from_desktop, bool on_gpu) {
   std::unique_ptr<App> app;
   try {
     app = open_scene(name);
@@ -76,6 +76,7 @@ int open_window(const std::string& name, bool from_desktop) {
   }
   Window window(app->title(), {1280, 800});
   app->use(window.clipboard());
+  if (on_gpu) app->handle(Request(Action::SwitchDevice));
   run_loop(window, *app);
   return 0;
 }
@@ -89,6 +90,8 @@ int start(int count, char** arguments) {
   bool from_desktop = false, reset_settings = false;
   line.add_flag("--from-desktop", from_desktop, "Show in the window why SCENE cannot be opened, where no terminal would show it.");
   line.add_flag("--reset-settings", reset_settings, "Delete the saved settings and start with the defaults.");
+  std::string device;
+  line.add_option("--device", device, "Compute on cpu, the default, or gpu: what runs there.")->check(CLI::IsMember({"cpu", "gpu"}));
   line.set_version_flag("--version", [] { return "hooke " HOOKE_VERSION "\n" + describe_gpu(); });
   line.footer("Without a window: hooke run|capture|convert ... (hooke run --help).");
   try {
@@ -97,7 +100,7 @@ int start(int count, char** arguments) {
     return line.exit(error) == 0 ? 0 : exit_usage;
   }
   if (reset_settings) std::filesystem::remove(xdg_home().config / "settings.json");
-  return open_window(scene, from_desktop);
+  return open_window(scene, from_desktop, device == "gpu");
 }
 
 }  // namespace

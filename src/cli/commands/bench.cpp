@@ -15,6 +15,7 @@
 #include "cli/commands/commands.h"
 #include "cli/interrupt.h"
 #include "cli/scene_options.h"
+#include "device/gpu_device.h"
 #include "sim/control/automatic.h"
 
 namespace hooke {
@@ -69,6 +70,8 @@ BenchRequest request_of(const BenchOptions& options) {
   for (const std::string& name : options.scenes) request.problems.push_back(problem_named(name));
   request.methods = chosen_methods(options.methods);
   if (options.quick) request.limit = quick_limit;
+  if (options.device == Device::Gpu) request.device = open_gpu();
+  if (!options.quiet) print_device({.device = request.device});
   return request;
 }
 
@@ -167,15 +170,16 @@ std::function<int()> declare_bench(CLI::App& app) {
                            ->type_name("E")
                            ->capture_default_str();
   error->needs("--capacity");
-  app.add_option("--device", options->device, "Of --kernels: cpu, the default, or gpu, for the rows that run there")
-      ->type_name("cpu|gpu")
-      ->transform(one_of({"cpu", "gpu"}))
-      ->needs("--kernels");
+  CLI::Option* device = app.add_option("--device", options->device,
+                                       "gpu: measure what runs there on the GPU, too, in real time; of --kernels instead of on the CPU")
+                            ->type_name("cpu|gpu")
+                            ->transform(one_of({"cpu", "gpu"}));
   for (CLI::Option* option : instead) {
     const bool is_overhead = option == instead.back(), is_capacity = option == instead[instead.size() - 2];
     if (!is_overhead) option->excludes("SCENE");
     if (!is_overhead && !is_capacity) option->excludes("--methods");
     option->excludes("--shard");
+    if (option->get_name() != "--kernels") option->excludes(device);
     option->excludes(verify);
     for (CLI::Option* other : instead)
       if (other != option) option->excludes(other);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "sim/forces/break_spring.h"
 #include "sim/forces/constants.h"
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/spring_laws.h"
@@ -111,6 +112,16 @@ double time_to_break(const Plan& plan, const Motion& motion) {
   return min;
 }
 
+void break_spring(Plan& plan, Motion& motion, Index spring, double length, std::vector<Index>& broken) {
+  ++motion.counts.breaks;
+  motion.energy.add(EnergyCause::Breaks, -response_of(plan, spring, motion.time, length).of.energy);
+  if (LawSprings& laws = plan.spring.laws; !laws.empty() && laws.of_packed[spring] != no_index)
+    laws.springs[laws.of_packed[spring]].stiffness = laws.springs[laws.of_packed[spring]].damping = 0.0;
+  plan.spring.stiffness[spring] = 0.0;
+  if (plan.has_dashpots()) plan.spring.damping[spring] = 0.0;
+  broken.push_back(plan.spring.index[spring]);
+}
+
 bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
   const std::size_t before = broken.size();
   for (const SpringRun& run : plan.spring.runs) {
@@ -118,14 +129,7 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
     for (Index e = 0; e < run.count; ++e) {
       const Index s = run.begin + e;
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
-      if (!(length >= plan.spring.break_length[s]) || !carries_force(plan, s)) continue;
-      ++motion.counts.breaks;
-      motion.energy.add(EnergyCause::Breaks, -response_of(plan, s, motion.time, length).of.energy);
-      if (LawSprings& laws = plan.spring.laws; !laws.empty() && laws.of_packed[s] != no_index)
-        laws.springs[laws.of_packed[s]].stiffness = laws.springs[laws.of_packed[s]].damping = 0.0;
-      plan.spring.stiffness[s] = 0.0;
-      if (plan.has_dashpots()) plan.spring.damping[s] = 0.0;
-      broken.push_back(plan.spring.index[s]);
+      if (length >= plan.spring.break_length[s] && carries_force(plan, s)) break_spring(plan, motion, s, length, broken);
     }
   }
   std::sort(broken.begin(), broken.end());

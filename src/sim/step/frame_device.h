@@ -1,6 +1,7 @@
 // What computes frames in place of the processor, such as a graphics card (src/device).
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sim/forces/motion.h"
@@ -19,9 +20,11 @@ struct FrameSteps {
 class FrameDevice {
  public:
   virtual ~FrameDevice() = default;
-  // Leads the motion from the start of a frame to its end, and adds the indices in the System of springs that break. False: it has changed
-  // nothing, and the processor computes the frame.
-  virtual bool advance(const Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) = 0;
+  // Leads the motion from the start of a frame to its end, and breaks springs (forces/break_spring.h). False: it has
+  // changed nothing, and the processor computes the frame.
+  virtual bool advance(Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) = 0;
+  // Why the processor computes the frames of this plan by this method, in a few words; empty: the device does.
+  virtual std::string refusal(const Plan&, const Integrator&) const { return {}; }
 };
 
 }  // namespace hooke

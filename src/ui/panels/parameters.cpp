@@ -109,6 +109,24 @@ void choice_row(const Parameter& row, double value, const PanelInput& input, Pan
   }
 }
 
+void device_row(const PanelInput& input, Panels& panels, Requests& requests) {
+  const RunStatus& run = input.status.run;
+  begin_row("Compute on");
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::BeginCombo("##device", run.on_device ? "GPU" : "CPU")) {
+    close_on_escape(input, panels);
+    for (const bool on_device : {false, true})
+      if (ImGui::Selectable(on_device ? "GPU" : "CPU", on_device == run.on_device) && on_device != run.on_device)
+        requests.emplace_back(Action::SwitchDevice);
+    ImGui::EndCombo();
+  }
+  if (run.device_refusal.empty()) return;
+  ImGui::PushFont(fonts().small);
+  begin_row("");
+  paragraph("Computed on the CPU: " + run.device_refusal, palette::warning);
+  ImGui::PopFont();
+}
+
 void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
   const Integrator& now = *input.status.snapshot->settings.integrator;
   begin_row("Method");
@@ -135,6 +153,7 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
     paragraph(describe(*choice, settings), is_tolerance_met(*choice, settings) ? palette::dim : palette::warning);
     ImGui::PopFont();
   }
+  device_row(input, panels, requests);
   build_accuracy_line(input, panels);
 }
 
