@@ -50,7 +50,8 @@ within the step. Of 2000 nets with random rest lengths, as many fail:
 Where springs start with the energy to pass through zero length, Hooke recommends the limit divided by 16.
 
 Listed forces count in the limit. For wind, and for a pull to a center that grows faster than the distance, it is an estimate. A point that
-falls through the core of a pull to a center, or onto a plane that attracts, needs shorter steps; the warning before a run counts them.
+falls through the core of a pull to a center, or onto a plane that attracts, needs shorter steps; the warning before a run counts those
+of a core.
 Implicit methods leave out some derivatives of listed forces; the limit is then 1 / omega of these.
 )";
 
