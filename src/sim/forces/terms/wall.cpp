@@ -91,8 +91,6 @@ constinit const ForceTerm wall_force{
     .label = "Wall repulsion",
     .description = "Repels every point from every plane, with an acceleration that falls with a power of the distance.",
     .numbers = numbers,
-    .depends_on_velocity = false,
-    .is_continuous = true,
     .add = add,
     .bound = bound,
     .add_tangent = add_tangent,
