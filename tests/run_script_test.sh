@@ -15,4 +15,5 @@ expect() { # CODE TEXT ARGUMENT...
 expect 0 "usage: scripts/run [SCENE]" --help
 expect 2 "--wrong: no such option" --wrong
 expect 2 "trampoline: more than one scene" cloth trampoline
+expect 5 "nosuch: no such file or shipped scene" nosuch
 exit $failed
