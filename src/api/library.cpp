@@ -8,7 +8,7 @@
 #include "base/finite.h"
 #include "base/threads/thread_team.h"
 #include "edit/append_parts.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "edit/setting_text.h"
 #include "formats/open_file.h"
 #include "sim/forces/bands.h"

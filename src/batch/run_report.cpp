@@ -33,8 +33,7 @@ void write_choice(JsonWriter& json, const MethodChoice& choice, double allowed) 
 // Null: the scene does not have it.
 void write_value(JsonWriter& json, const Parameter& parameter, const Scene& scene) {
   json.key(parameter.name);
-  const bool is_known =
-      (parameter.applies == nullptr || parameter.applies(scene)) && (parameter.is_given == nullptr || parameter.is_given(scene));
+  const bool is_known = (parameter.applies == nullptr || parameter.applies(scene)) && parameter.is_given(scene);
   const double value = is_known ? parameter.read(scene) : 0.0;
   if (!is_known || !std::isfinite(value)) return json.null();
   if (&parameter == &dimensions_parameter) return json.integer(scene.system.dimensions);

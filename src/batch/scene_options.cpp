@@ -6,7 +6,7 @@
 #include "base/file_limits.h"
 #include "base/threads/thread_team.h"
 #include "device/gpu_device.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "formats/open_file.h"
 #include "scene/parameters.h"
 #include "scene/step_advice.h"

@@ -2,7 +2,7 @@
 
 #include "base/errors.h"
 #include "base/file_limits.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
 

@@ -25,6 +25,14 @@ std::size_t bytes_in(const std::shared_ptr<const Scene>& scene) {
          bytes_in(scene->state.velocity) + scene->preserved_json.generators.size();
 }
 
+// Whether both set the same property of the same points or springs.
+template <class Set>
+bool set_the_same(const Set& a, const Set& b) {
+  if constexpr (requires { a.property; })
+    if (a.property != b.property) return false;
+  return std::ranges::equal(a.values, b.values, [](const auto& one, const auto& other) { return one.first == other.first; });
+}
+
 }  // namespace
 
 Command::Command(const Command&) = default;
@@ -39,9 +47,11 @@ std::string describe(const Command& command) {
 
 bool is_undone_with(const Command& later, const Command& earlier) {
   return std::visit(
-      [](const auto& a, const auto& b) {
+      []<class A, class B>(const A& a, const B& b) {
         if constexpr (requires { a.is_undone_with(b); })
           return a.is_undone_with(b);
+        else if constexpr (std::is_same_v<A, B> && requires { a.values; })
+          return set_the_same(a, b);
         else
           return false;
       },
@@ -55,6 +65,15 @@ std::size_t bytes_of(const Command& command) {
     return std::apply([](const auto&... members) { return (std::size_t{0} + ... + bytes_in(members)); }, members_of(each));
   };
   return sizeof(Command) + std::visit(bytes_of_members, command);
+}
+
+Inverse apply(Scene& scene, const Command& command, Effect& effect) {
+  const std::uint64_t revision = scene.revision;
+  Inverse inverse = std::visit([&](const auto& each) { return each.apply(scene, effect); }, command);
+  const bool is_state_only =
+      std::holds_alternative<Move>(command) || std::holds_alternative<SetVelocity>(command) || std::holds_alternative<MoveHand>(command);
+  scene.revision = is_state_only ? revision : revision + 1;
+  return inverse;
 }
 
 }  // namespace hooke

@@ -73,7 +73,7 @@ template <class T>
 requires HasFields<std::remove_const_t<T>>
 auto members_of(T& value) {
   constexpr std::size_t count = field_names<std::remove_const_t<T>>.size();
-  static_assert(count <= 9 || count == 11 || count == 21);
+  static_assert(count <= 9 || count == 11);
   if constexpr (count == 0) {
     return std::tuple<>();
   } else if constexpr (count == 1) {
@@ -100,9 +100,6 @@ auto members_of(T& value) {
   } else if constexpr (count == 8) {
     auto& [a, b, c, d, e, f, g, h] = value;
     return std::tie(a, b, c, d, e, f, g, h);
-  } else if constexpr (count == 21) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = value;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
   } else if constexpr (count == 9) {
     auto& [a, b, c, d, e, f, g, h, i] = value;
     return std::tie(a, b, c, d, e, f, g, h, i);

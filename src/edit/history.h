@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "edit/history_list.h"
 
 namespace hooke {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "edit/text_form.h"
 #include "formats/texture.h"
 #include "sim/control/automatic.h"

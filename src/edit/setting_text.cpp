@@ -1,7 +1,7 @@
 #include "edit/setting_text.h"
 
 #include "base/printable.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "scene/flatness.h"
 #include "scene/parameter_value.h"
 #include "sim/methods/integrator.h"

@@ -22,13 +22,6 @@ std::string mean_of(const Items& items, const Value& value) {
   return count > 0.0 ? grouped(sum / count) : std::string();
 }
 
-double property_of(const Point& point, PointProperty property) { return property == PointProperty::Mass ? point.mass : point.radius; }
-
-double property_of(const Spring& spring, SpringProperty property) {
-  constexpr std::array members{&Spring::stiffness, &Spring::damping, &Spring::rest_length, &Spring::break_strain};
-  return spring.*members[static_cast<std::size_t>(property)];
-}
-
 std::string value_of(const Parameter& parameter, const Scene& scene) {
   const double value = parameter.read(scene);
   if (parameter.kind == Parameter::Kind::Switch) return value != 0.0 ? "on" : "off";
@@ -77,9 +70,7 @@ Named quantity_of(const Command& command) {
 bool can_cause_failure(const Command& command) {
   return std::visit(
       []<class T>(const T&) {
-        return !std::is_same_v<T, SetPointColor> && !std::is_same_v<T, SetText> && !std::is_same_v<T, SetPlots> &&
-               !std::is_same_v<T, SetTexture> && !std::is_same_v<T, GoToState> && !std::is_same_v<T, SetTorn> &&
-               !std::is_same_v<T, MarkTorn> && !std::is_same_v<T, Replace> && !std::is_same_v<T, ReleaseHand>;
+        return !is_one_of<T, SetPointColor, SetText, SetPlots, SetTexture, GoToState, SetTorn, MarkTorn, Replace, ReleaseHand>;
       },
       command);
 }
@@ -93,13 +84,13 @@ std::string value_before(const Command& command, const Scene& scene) {
                         [&](const SetPointProperty& set) {
                           return mean_of(set.values, [&](PointId id) {
                             const Index i = system.index_of(id);
-                            return i == no_index ? std::nan("") : property_of(system.points()[i], set.property);
+                            return i == no_index ? std::nan("") : system.points()[i].*member_of(set.property);
                           });
                         },
                         [&](const SetSpringProperty& set) {
                           return mean_of(set.values, [&](SpringId id) {
                             const Index s = system.index_of(id);
-                            return s == no_index ? std::nan("") : property_of(system.springs()[s], set.property);
+                            return s == no_index ? std::nan("") : system.springs()[s].*member_of(set.property);
                           });
                         },
                         [](const auto&) { return std::string(); },

@@ -121,14 +121,6 @@ History::Of Lab::changed_by(const Command& command) const {
   using Of = History::Of;
   const Of of_places = is_at_start() || !start_.scene() ? Of::Document : Of::Run;
   return std::visit(Overloaded{
-                        [](const GrabPoint&) { return Of::Run; },
-                        [](const GrabCollider&) { return Of::Run; },
-                        [](const MoveHand&) { return Of::Run; },
-                        [](const ReleaseHand&) { return Of::Run; },
-                        [](const GoToState&) { return Of::Run; },
-                        [](const SetTorn&) { return Of::Run; },
-                        [](const MarkTorn&) { return Of::Run; },
-                        [](const Replace&) { return Of::Run; },
                         [&](const Move&) { return of_places; },
                         [&](const SetVelocity&) { return of_places; },
                         [&](const SetNailed& set) {
@@ -142,7 +134,11 @@ History::Of Lab::changed_by(const Command& command) const {
                           const auto same_shape = [](const Collider& a, const Collider& b) { return a.shape == b.shape; };
                           return std::ranges::equal(set.colliders, scene_.system.colliders, same_shape) ? Of::Document : of_places;
                         },
-                        [](const auto&) { return Of::Document; },
+                        []<class Other>(const Other&) {
+                          constexpr bool is_of_run =
+                              is_one_of<Other, GrabPoint, GrabCollider, MoveHand, ReleaseHand, GoToState, SetTorn, MarkTorn, Replace>;
+                          return is_of_run ? Of::Run : Of::Document;
+                        },
                     },
                     command);
 }

@@ -5,39 +5,19 @@
 namespace hooke {
 namespace {
 
-enum class Which { Different, All };
-
-// False: nothing to set.
-bool add_points(PointProperty property, double Point::*member, Which which, const System& now, const System& opened,
-                std::vector<Command>& commands) {
-  SetPointProperty set{property, {}};
-  for (const Point& point : now.points()) {
-    const Index i = opened.index_of(point.id);
-    if (i != no_index && (which == Which::All || opened.points()[i].*member != point.*member))
-      set.values.emplace_back(point.id, opened.points()[i].*member);
+// Adds the command that sets a member to what it was, where it differs, or everywhere. False: there is nothing to set.
+template <class Set, class Items, class Item, class Value>
+bool add(Set set, Value Item::*member, const Items& now, const Items& opened, const System& system, std::vector<Command>& commands,
+         bool everywhere = false) {
+  for (const Item& item : now) {
+    const Index i = system.index_of(item.id);
+    if (i == no_index) continue;
+    const Item earlier = opened[i];
+    if (everywhere || earlier.*member != item.*member) set.values.emplace_back(item.id, earlier.*member);
   }
   if (set.values.empty()) return false;
   commands.emplace_back(std::move(set));
   return true;
-}
-
-void add_springs(SpringProperty property, double Spring::*member, const System& now, const System& opened, std::vector<Command>& commands) {
-  SetSpringProperty set{property, {}};
-  for (const Spring& spring : now.springs()) {
-    const Index s = opened.index_of(spring.id);
-    if (s != no_index && opened.springs()[s].*member != spring.*member) set.values.emplace_back(spring.id, opened.springs()[s].*member);
-  }
-  if (!set.values.empty()) commands.emplace_back(std::move(set));
-}
-
-void add_laws(const System& now, const System& opened, std::vector<Command>& commands) {
-  SetSpringLaw set;
-  if (!now.springs().have_laws() && !opened.springs().have_laws()) return;
-  for (const Spring& spring : now.springs()) {
-    const Index s = opened.index_of(spring.id);
-    if (s != no_index && opened.springs()[s].law != spring.law) set.values.emplace_back(spring.id, opened.springs()[s].law);
-  }
-  if (!set.values.empty()) commands.emplace_back(std::move(set));
 }
 
 }  // namespace
@@ -65,15 +45,19 @@ std::vector<Command> commands_to_reset_parameters(const Scene& now, const Scene&
     if (differs) commands.emplace_back(SetColliders{std::move(colliders)});
   }
 
+  const auto add_points = [&](PointProperty property, bool everywhere) {
+    const SetPointProperty set{property, {}};
+    return add(set, member_of(property), now.system.points(), opened.system.points(), opened.system, commands, everywhere);
+  };
+  const auto add_springs = [&](const auto& set, auto member) {
+    add(set, member, now.system.springs(), opened.system.springs(), opened.system, commands);
+  };
   // radii before masses, which may follow them
-  const bool sets_radii = add_points(PointProperty::Radius, &Point::radius, Which::Different, now.system, opened.system, commands);
-  const bool masses_follow = sets_radii && opened.defaults.mass_follows_radius;
-  add_points(PointProperty::Mass, &Point::mass, masses_follow ? Which::All : Which::Different, now.system, opened.system, commands);
-  add_laws(now.system, opened.system, commands);
-  add_springs(SpringProperty::Stiffness, &Spring::stiffness, now.system, opened.system, commands);
-  add_springs(SpringProperty::Damping, &Spring::damping, now.system, opened.system, commands);
-  add_springs(SpringProperty::RestLength, &Spring::rest_length, now.system, opened.system, commands);
-  add_springs(SpringProperty::BreakStrain, &Spring::break_strain, now.system, opened.system, commands);
+  const bool sets_radii = add_points(PointProperty::Radius, false);
+  add_points(PointProperty::Mass, sets_radii && opened.defaults.mass_follows_radius);
+  if (now.system.springs().have_laws() || opened.system.springs().have_laws()) add_springs(SetSpringLaw{}, &Spring::law);
+  for (const auto property : {SpringProperty::Stiffness, SpringProperty::Damping, SpringProperty::RestLength, SpringProperty::BreakStrain})
+    add_springs(SetSpringProperty{property, {}}, member_of(property));
   return commands;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "edit/apply.h"
+#include "edit/command.h"
 
 namespace hooke {
 

@@ -5,7 +5,7 @@
 
 #include "base/errors.h"
 #include "base/file_limits.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "python/arrays.h"
 #include "sim/plan/plan.h"
 

@@ -16,6 +16,8 @@
 namespace hooke::python {
 namespace {
 
+using namespace py::literals;
+
 // Applied at once, in effect from the next frame on.
 template <class Request>
 void submit(NamedLab& lab, Request request) {
@@ -151,12 +153,8 @@ py::object array_of(NamedLab& lab, py::object NamedLab::*kept, std::vector<Vec3>
 py::dict energy_of(NamedLab& lab) {
   const Use use(lab);
   const Energy energy = compute_energy(lab.lab.scene().system, lab.lab.scene().state);
-  py::dict entry;
-  entry["kinetic"] = energy.kinetic;
-  entry["elastic"] = energy.elastic;
-  entry["gravitational"] = energy.gravitational;
-  entry["total"] = energy.total();
-  return entry;
+  return py::dict("kinetic"_a = energy.kinetic, "elastic"_a = energy.elastic, "gravitational"_a = energy.gravitational,
+                  "total"_a = energy.total());
 }
 
 // {"strain" [1], "tension" [N], "spring_energy" [J], "forces", "loads", "reactions", "contact" [N]}: of springs, then of points.
@@ -173,15 +171,9 @@ py::dict loads_of(NamedLab& lab) {
     const double length = glm::length(apart);
     forces.push_back(length > 0.0 ? apart * (loads.tension[forces.size()] / length) : Vec3(0.0));
   }
-  py::dict entry;
-  entry["strain"] = to_array(strains);
-  entry["tension"] = to_array(loads.tension);
-  entry["spring_energy"] = to_array(loads.energy);
-  entry["forces"] = to_array(forces);
-  entry["loads"] = to_array(loads.external);
-  entry["reactions"] = to_array(loads.reaction);
-  entry["contact"] = to_array(loads.contact);
-  return entry;
+  return py::dict("strain"_a = to_array(strains), "tension"_a = to_array(loads.tension), "spring_energy"_a = to_array(loads.energy),
+                  "forces"_a = to_array(forces), "loads"_a = to_array(loads.external), "reactions"_a = to_array(loads.reaction),
+                  "contact"_a = to_array(loads.contact));
 }
 
 // {"since" [s], "change", ..., "method" [J]}; None: not measured.
@@ -200,13 +192,8 @@ py::dict error_of(NamedLab& lab) {
   measure_accuracy(lab);
   const Use use(lab);
   const Accuracy accuracy = lab.lab.accuracy();
-  py::dict entry;
-  entry["frame"] = accuracy.frame.value;
-  entry["frame_max"] = accuracy.frame_max.value;
-  entry["accumulated"] = accuracy.accumulated.value;
-  entry["amplification"] = accuracy.amplification.value;
-  entry["predictable"] = accuracy.predictable.value;
-  return entry;
+  return py::dict("frame"_a = accuracy.frame.value, "frame_max"_a = accuracy.frame_max.value, "accumulated"_a = accuracy.accumulated.value,
+                  "amplification"_a = accuracy.amplification.value, "predictable"_a = accuracy.predictable.value);
 }
 
 // (frames, hash, difference)

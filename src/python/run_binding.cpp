@@ -164,15 +164,11 @@ py::dict gradient(const NamedScene& scene, long frames, std::vector<long> sample
     gradient =
         compute_gradient(start.system, start.settings, start.state, frames, weights, [&](long done, long all) { watch.check(done, all); });
   }
-  py::dict entry;
-  entry["stiffness"] = to_array(gradient.stiffness);
-  entry["rest_length"] = to_array(gradient.rest_length);
-  entry["damping"] = to_array(gradient.damping);
-  entry["masses"] = to_array(gradient.mass);
-  entry["positions"] = to_array(gradient.position);
-  entry["velocities"] = to_array(gradient.velocity);
-  entry["hash"] = to_hexadecimal(gradient.hash);
-  return entry;
+  using namespace py::literals;
+  return py::dict("stiffness"_a = to_array(gradient.stiffness), "rest_length"_a = to_array(gradient.rest_length),
+                  "damping"_a = to_array(gradient.damping), "masses"_a = to_array(gradient.mass),
+                  "positions"_a = to_array(gradient.position), "velocities"_a = to_array(gradient.velocity),
+                  "hash"_a = to_hexadecimal(gradient.hash));
 }
 
 }  // namespace

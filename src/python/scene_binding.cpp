@@ -8,7 +8,7 @@
 #include "base/printable.h"
 #include "batch/run_report.h"
 #include "edit/append_parts.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "formats/open_file.h"
 #include "formats/scene_json/spring_law_fields.h"
 #include "scene/parameters.h"

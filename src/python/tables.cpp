@@ -12,22 +12,17 @@
 namespace hooke::python {
 namespace {
 
+using namespace py::literals;
+
 py::list list_parameters() {
   py::list rows;
   for (const Parameter& row : parameters()) {
     py::list choices;
     for (const ParameterChoice& choice : row.choices) choices.append(py::str(std::string(choice.id)));
     static constexpr const char* kinds[] = {"number", "integer", "switch", "choice"};
-    py::dict entry;
-    entry["name"] = std::string(row.name);
-    entry["unit"] = std::string(row.unit);
-    entry["description"] = std::string(row.description);
-    entry["kind"] = kinds[static_cast<std::size_t>(row.kind)];
-    entry["min"] = row.min;
-    entry["max"] = row.max;
-    entry["default"] = row.default_value;
-    entry["choices"] = choices;
-    rows.append(entry);
+    rows.append(py::dict("name"_a = row.name, "unit"_a = row.unit, "description"_a = row.description,
+                         "kind"_a = kinds[static_cast<std::size_t>(row.kind)], "min"_a = row.min, "max"_a = row.max,
+                         "default"_a = row.default_value, "choices"_a = choices));
   }
   return rows;
 }
@@ -35,14 +30,8 @@ py::list list_parameters() {
 py::list list_methods() {
   py::list rows;
   const auto add = [&](const Integrator& row) {
-    py::dict entry;
-    entry["id"] = std::string(row.id);
-    entry["label"] = std::string(row.label);
-    entry["summary"] = std::string(row.summary);
-    entry["cost"] = std::string(row.cost);
-    entry["order"] = row.order;
-    entry["adaptive"] = row.stability == Stability::Adaptive;
-    rows.append(entry);
+    rows.append(py::dict("id"_a = row.id, "label"_a = row.label, "summary"_a = row.summary, "cost"_a = row.cost, "order"_a = row.order,
+                         "adaptive"_a = row.stability == Stability::Adaptive));
   };
   for (const Integrator& row : integrators()) add(row);
   add(automatic_method());
@@ -70,38 +59,22 @@ py::list list_shapes() {
       fields.append(py::make_tuple(std::string(vector.name), std::string(vector.format), py::none()));
     for (const ShapeNumber& number : row.numbers) fields.append(field_of(number));
     for (const NailKeyword& nail : row.nail_keywords) nails.append(std::string(nail.word));
-    py::dict entry;
-    entry["id"] = std::string(row.id);
-    entry["description"] = std::string(row.description);
-    entry["fields"] = fields;
-    entry["nails"] = nails;
-    rows.append(entry);
+    rows.append(py::dict("id"_a = row.id, "description"_a = row.description, "fields"_a = fields, "nails"_a = nails));
   }
   return rows;
 }
 
 py::list list_quantities() {
   py::list rows;
-  for (const QuantityRow& row : quantity_rows()) {
-    py::dict entry;
-    entry["name"] = std::string(row.name);
-    entry["unit"] = std::string(row.unit);
-    entry["description"] = std::string(row.description);
-    rows.append(entry);
-  }
+  for (const QuantityRow& row : quantity_rows())
+    rows.append(py::dict("name"_a = row.name, "unit"_a = row.unit, "description"_a = row.description));
   return rows;
 }
 
 py::list list_scenes() {
   py::list rows;
-  for (const ShippedScene& row : shipped_scenes()) {
-    py::dict entry;
-    entry["id"] = row.id;
-    entry["title"] = row.title;
-    entry["group"] = row.group;
-    entry["description"] = row.description;
-    rows.append(entry);
-  }
+  for (const ShippedScene& row : shipped_scenes())
+    rows.append(py::dict("id"_a = row.id, "title"_a = row.title, "group"_a = row.group, "description"_a = row.description));
   return rows;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <type_traits>
 
 #include "scene/new_point.h"
 #include "scene/parameters.h"
@@ -16,12 +17,12 @@ inline void set_gravity(Scene& scene, double size) {
   gravity = magnitude > 0.0 ? gravity * (size / magnitude) : Vec3(0.0, -size, 0.0);
 }
 
-// The springs that a row sets, and the weights that relate their values to its value.
-struct SpringSlider {
-  double Spring::*property;
-  Parameter::Weight weight = Parameter::Weight::One;
-  SpringFamily family = SpringFamily::None;  // none: all
-};
+// Of a number, a switch or a choice, to which `of` gives a reference.
+template <class Of>
+constexpr Parameter::Access plain(Of) {
+  return {.read = [](const Scene& scene) { return static_cast<double>(Of{}(scene)); },
+          .write = [](Scene& scene, double value) { Of{}(scene) = static_cast<std::remove_cvref_t<decltype(Of{}(scene))>>(value); }};
+}
 
 inline double weight_of(Parameter::Weight weight, const SheetWeights* sheet, const Spring& spring) {
   switch (weight) {
@@ -37,24 +38,22 @@ inline double weight_of(Parameter::Weight weight, const SheetWeights* sheet, con
   return 0.0;
 }
 
-template <SpringSlider row>
-double spring_weight_in(const Scene& scene, const Spring& spring) {
-  const bool is_in_family = row.family == SpringFamily::None || spring.family == row.family;
-  return is_in_family ? weight_of(row.weight, scene.sheet.get(), spring) : 0.0;
+inline double weight_of(const Parameter::Springs& springs, const SheetWeights* sheet, const Spring& spring) {
+  return springs.family && spring.family != *springs.family ? 0.0 : weight_of(springs.weight, sheet, spring);
 }
-template <SpringSlider row>
-double read_springs(const Scene& scene) {
+
+inline double read_springs(const Parameter::Springs& springs, const Scene& scene) {
   CommonValue common;
   for (const Spring& spring : scene.system.springs())
-    if (const double weight = spring_weight_in<row>(scene, spring); weight > 0.0) common.include(spring.*row.property / weight);
-  const bool is_stiffness = row.property == &Spring::stiffness;
-  return common.value_or(is_stiffness ? scene.defaults.stiffness : scene.defaults.damping);
+    if (const double weight = weight_of(springs, scene.sheet.get(), spring); weight > 0.0)
+      common.include(spring.*springs.property / weight);
+  return common.value_or(springs.property == &Spring::stiffness ? scene.defaults.stiffness : scene.defaults.damping);
 }
-template <SpringSlider row>
-void write_springs(Scene& scene, double value) {
+
+inline void write_springs(const Parameter::Springs& springs, Scene& scene, double value) {
   for (Index s = 0; s < scene.system.spring_count(); ++s)
-    if (const double weight = spring_weight_in<row>(scene, scene.system.springs()[s]); weight > 0.0)
-      (*scene.system.spring(s)).*row.property = weight * value;
+    if (const double weight = weight_of(springs, scene.sheet.get(), scene.system.springs()[s]); weight > 0.0)
+      (*scene.system.spring(s)).*springs.property = weight * value;
 }
 
 // mass = density area
@@ -108,14 +107,6 @@ inline bool has_plain_damping(const Scene& scene) {
 }
 
 template <SpringFamily family>
-double read_family_switch(const Scene& scene) {
-  return scene.system.family_on[static_cast<std::size_t>(family)] ? 1.0 : 0.0;
-}
-template <SpringFamily family>
-void write_family_switch(Scene& scene, double value) {
-  scene.system.family_on[static_cast<std::size_t>(family)] = value != 0.0;
-}
-template <SpringFamily family>
 bool has_family(const Scene& scene) {
   return scene.system.count_of(family) > 0;
 }
@@ -129,20 +120,12 @@ inline bool has_bend_stiffness(const Scene& scene) {
   return has_family<SpringFamily::Bend>(scene) && (has_plain_stiffness(scene) || is_sheet_material(scene));
 }
 
-inline double first_of_colliders(const Scene& scene, double Collider::*property) {
-  return scene.system.colliders.empty() ? 0.0 : scene.system.colliders.front().*property;
-}
-
 // The percentage that, divided by 100, gives this fraction bit for bit, if there is one.
 inline double percent_of(double fraction) {
   const double percent = 100.0 * fraction;
   for (const double near : {percent, std::nextafter(percent, 0.0), std::nextafter(percent, INFINITY)})
     if (near / 100.0 == fraction) return near;
   return percent;
-}
-
-inline void set_colliders(Scene& scene, double Collider::*property, double value) {
-  for (Collider& collider : scene.system.colliders) collider.*property = value;
 }
 
 }  // namespace hooke

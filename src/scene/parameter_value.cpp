@@ -34,8 +34,7 @@ std::string limit_text(const Parameter& parameter) {
 }
 
 std::string why_refused(const Parameter& parameter, std::string_view text) {
-  const bool is_number = parameter.kind == Parameter::Kind::Number || parameter.kind == Parameter::Kind::Integer;
-  return (is_number && !parse_number(text) ? "not a number: " : "") + limit_text(parameter);
+  return (parameter.is_number() && !parse_number(text) ? "not a number: " : "") + limit_text(parameter);
 }
 
 std::string value_text(const Parameter& parameter, double value) {

@@ -38,16 +38,30 @@ struct Parameter {
   std::string_view zero_text{};                      // what 0 means, if not the number: "off"
   bool omit_if_default = false;                      // from files
   Scope scope = Scope::Number;
-  std::optional<SpringFamily> family{};           // the springs that it sets; none: all
-  Weight weight = Weight::One;                    // of those springs
-  double Collider::*collider = nullptr;           // with Scope::Colliders: what it sets of each
+  // What it sets of springs: k or d, by a weight, and of a family or, without one, of all.
+  struct Springs {
+    double Spring::*property = nullptr;
+    Weight weight = Weight::One;
+    std::optional<SpringFamily> family{};
+  };
+  Springs springs{};
+  double Collider::*collider = nullptr;           // what it sets of each collider
   std::span<const ParameterChoice> choices{};     // the value is an index of these
   bool (*applies)(const Scene& scene) = nullptr;  // whether the scene has what the row sets; null: always
-  double (*read)(const Scene& scene) = nullptr;
-  void (*write)(Scene& scene, double value) = nullptr;
-  // A value that may not be given, which `read` replaces by the default: whether it is, and how it is removed; null: always given.
-  bool (*is_given)(const Scene& scene) = nullptr;
-  void (*clear)(Scene& scene) = nullptr;
+  // The access to everything but springs and colliders. A value that may not be given, which `read` replaces by the default: whether it
+  // is, and how it is removed; null: always given.
+  struct Access {
+    double (*read)(const Scene& scene) = nullptr;
+    void (*write)(Scene& scene, double value) = nullptr;
+    bool (*is_given)(const Scene& scene) = nullptr;
+    void (*clear)(Scene& scene) = nullptr;
+  };
+  Access access{};
+
+  bool is_number() const { return kind == Kind::Number || kind == Kind::Integer; }
+  double read(const Scene& scene) const;
+  void write(Scene& scene, double value) const;
+  bool is_given(const Scene& scene) const { return access.is_given == nullptr || access.is_given(scene); }
 };
 
 std::span<const Parameter> parameters();

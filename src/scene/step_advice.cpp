@@ -32,8 +32,8 @@ double max_speed(const System& system, const State& state) {
 }
 
 std::string describe(const Passage& passage) {
-  return std::string("a point may ") + (passage.at_plane ? "reach a plane that attracts it at " : "pass the center of a force at ") +
-         quantity_text(passage.speed, "m/s", 2) + " and " + quantity_text(passage.length, "m", 2);
+  return "a point may pass the center of a force at " + quantity_text(passage.speed, "m/s", 2) + " and " +
+         quantity_text(passage.length, "m", 2);
 }
 
 }  // namespace

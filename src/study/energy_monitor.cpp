@@ -134,15 +134,14 @@ void EnergyMonitor::end_frame(const Plan& plan, const Settings& settings, const 
   }
   // What contact, drag and dashpots dissipate hides a gain: the energy falls all the same. Those of a gain that is reported anyway, and of
   // one that is too small for that, are not needed.
-  constexpr double min_gain = 0.01;  // of the supplied energy
+  constexpr double min_part = 0.01;  // of the supplied energy
   gain_ = energy - start_.energy - dissipated_;
-  if (gain_ > std::max(min_gain * scale_, hidden_gain_.energy)) {
+  if (gain_ > std::max(min_part * scale_, hidden_gain_.energy)) {
     const double gain = modified_change(start_, energy - dissipated_, now);
     if (gain > hidden_gain_.energy) hidden_gain_ = {gain, state.time};
   }
   // a rise is reported above, and what the scene may dissipate is no error
-  constexpr double min_loss = 0.01;  // of the supplied energy
-  const bool is_loss = start_.energy - energy > min_loss * scale_ + max_dissipated_;
+  const bool is_loss = start_.energy - energy > min_part * scale_ + max_dissipated_;
   change_ = is_loss ? modified_change(start_, energy, now) : energy - start_.energy;
   if (const double loss = -change_ - max_dissipated_; is_loss && loss > loss_.energy) loss_ = {loss, state.time};
 }

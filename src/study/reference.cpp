@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <random>
@@ -9,7 +10,7 @@
 
 #include "base/formatted.h"
 #include "base/threads/thread_time.h"
-#include "sim/contact/contact.h"
+#include "sim/control/frame_error.h"
 #include "sim/forces/energy/energy.h"
 
 namespace hooke {
@@ -40,18 +41,6 @@ double energy_scale(const Problem& problem, const std::vector<State>& reference)
   double scale = compute_energy(problem.system, problem.start).kinetic;
   for (const State& state : reference) scale = std::max(scale, compute_energy(problem.system, state).kinetic);
   return scale > 0.0 ? scale : 1.0;
-}
-
-// The order that a method declares on this problem: with contacts and, to choose between equals, without them, since they may never occur.
-std::pair<int, int> convergence_orders(const Integrator& method, const Problem& problem) {
-  const System& system = problem.system;
-  int order = method.order;
-  if (system.drag_rate() > 0.0) order = std::min(order, method.order_with.drag);
-  if (std::any_of(system.springs().begin(), system.springs().end(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; }))
-    order = std::min(order, method.order_with.damped);
-  const bool has_surface = system.contact.faces || system.contact.springs;
-  const int order_contact = has_surface ? std::min(method.order_with.contact, surface_contact_order) : method.order_with.contact;
-  return {has_contact(system) ? std::min(order, order_contact) : order, order};
 }
 
 Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
@@ -156,9 +145,11 @@ Score judge(const Problem& problem, Measure measure, const std::vector<State>& r
 std::vector<const Integrator*> most_accurate_methods(const Problem& problem) {
   std::vector<const Integrator*> methods;
   for (const Integrator& method : integrators()) methods.push_back(&method);
-  std::stable_sort(methods.begin(), methods.end(), [&](const Integrator* a, const Integrator* b) {
-    return convergence_orders(*a, problem) > convergence_orders(*b, problem);
-  });
+  // with contacts and, to choose between equals, without them, since they may never occur
+  const auto orders = [&](const Integrator* method) {
+    return std::pair(effective_order(problem.system, *method), free_order(problem.system, *method));
+  };
+  std::ranges::stable_sort(methods, std::greater(), orders);
   return methods;
 }
 

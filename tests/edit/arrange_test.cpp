@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "support/test_sim.h"
 
 namespace hooke {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
 #include "sim/forces/force_terms.h"

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "base/errors.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "formats/scene_file.h"
 #include "support/picture.h"
 #include "support/scratch_folder.h"

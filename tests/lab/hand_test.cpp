@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "edit/history.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"

@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "base/json_text.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "formats/lammps/lammps_model.h"
 #include "formats/xsp/xsp_file.h"
 #include "scene/parameters.h"

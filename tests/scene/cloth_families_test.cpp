@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/errors.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
 #include "sim/forces/energy/energy.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/errors.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "edit/copy_selection.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"

@@ -108,54 +108,6 @@ TEST(Passage, KeepsItsEnergyWithTheRecommendedNumberOfSubsteps) {
     }
 }
 
-TestNetwork network_above_plane(double strength, double power, double core, double height, double restitution) {
-  TestNetwork network;
-  network.system.gravity = Vec3(0.0);
-  network.system.colliders = {{.shape = Plane{}, .restitution = restitution}};
-  network.add({0.0, height, 0.0}, 1.0, {0.1, -0.3, 0.0});
-  network.system.forces = {force_with("wall", {{"strength", strength}, {"power", power}, {"core", core}})};
-  initialize_supply(network.system, network.state);
-  return network;
-}
-
-// A plane that attracts is most attractive at the minimum distance, and an impact gives the speed of the fall back.
-TEST(Passage, OntoAPlaneKeepsItsEnergyWithTheRecommendedNumberOfSubsteps) {
-  struct Wall {
-    double strength, power, core, height;
-  };
-  for (const char* id : {"symplectic_euler", "velocity_verlet", "blanes_moan4", "runge_kutta4", "implicit_midpoint", "tr_bdf2", "xpbd"})
-    for (const Wall& wall : {Wall{-1.0, 2.0, 0.02, 1.0}, Wall{-1.0, 4.0, 0.05, 0.5}, Wall{-3.0, 1.5, 0.03, 0.7}}) {
-      const TestNetwork network = network_above_plane(wall.strength, wall.power, wall.core, wall.height, 1.0);
-      const StepNeeds needs = step_needs(network.system, network.state);
-      const Integrator& method = *find_integrator(id);
-      const auto substeps = StepLimits(bound_spectrum(network.system), needs).recommended_substeps(method, 60.0);
-      ASSERT_TRUE(substeps);
-      EXPECT_NE(warning_of_fall(network, id, 1).find(std::to_string(*substeps) + " are recommended"), std::string::npos)
-          << warning_of_fall(network, id, 1);
-      EXPECT_EQ(warning_of_fall(network, id, *substeps), "");
-      MonitoredRun run(network, {.integrator = &method, .substeps = *substeps});
-      const double start = energy_of_fall(network, network.state);
-      for (double t = 0.0; t < 2.0; t += 0.05) {
-        run.run(0.05);
-        if (run.state().position[0].y < 0.4 * wall.height) continue;
-        EXPECT_NEAR(energy_of_fall(network, run.state()), start, 0.05 * needs.passage.energy)
-            << id << " " << wall.power << " " << *substeps << " " << t;
-      }
-    }
-}
-
-TEST(Passage, OntoAPlaneIsWarnedAboutWhereItDecidesAboutTheMotion) {
-  const auto warning = [](double strength, double power, double restitution) {
-    return warning_of_fall(network_above_plane(strength, power, 0.02, 0.5, restitution), "velocity_verlet", 148);
-  };
-  EXPECT_NE(warning(-1.0, 3.0, 1.0).find("a point may reach a plane that attracts it at 87 m/s and 0.02 m; "), std::string::npos)
-      << warning(-1.0, 3.0, 1.0);
-  // it stays there; it is repelled; the attraction does not change with the distance
-  for (const double restitution : {0.0, 0.5}) EXPECT_EQ(warning(-1.0, 3.0, restitution), "");
-  EXPECT_EQ(warning(1.0, 3.0, 1.0), "");
-  EXPECT_EQ(warning(-1.0, 0.0, 1.0), "");
-}
-
 // The other center supplies most of the speed.
 TEST(Passage, ThroughOneOfTwoCentersIsAsFastAsBothMakeIt) {
   TestNetwork network = network_of_fall({.distance = 5.0, .strength = 0.05, .velocity = Vec3(0.0)});

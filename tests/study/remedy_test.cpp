@@ -11,7 +11,6 @@
 #include "lab/lab.h"
 #include "sim/model/force_term.h"
 #include "study/hard_cases/test_network.h"
-#include "study/remedy/trial_work.h"
 #include "study/run_monitor.h"
 #include "support/force_with.h"
 
@@ -162,21 +161,15 @@ TEST(Remedy, EveryRecommendedSettingIsStable) {
   EXPECT_GE(without_warning, 8 * diverged / 10);
 }
 
-// The number of substeps that is shown below the slider and the recommended one differ by a margin, which is named.
-TEST(Remedy, NamesTheLinearLimitAndTheMargin) {
+// The number of substeps that is shown below the slider and the recommended one differ by a margin.
+TEST(Remedy, KeepsTheMarginBelowTheLinearLimit) {
   const Scene scene = scene_of(shaken_sheet(1e5, 0.02, 1), "velocity_verlet", 2);
   const Remedy remedy = find_remedy(scene, seconds, never);
   ASSERT_TRUE(remedy.cheapest);
   const TestedSetting& same = remedy.same_method ? *remedy.same_method : *remedy.cheapest;
   ASSERT_EQ(same.advice.integrator, scene.settings.integrator);
   const auto limit = StepLimits(bound_spectrum(scene.system)).stable_substeps(*same.advice.integrator, scene.settings.frame_rate);
-  ASSERT_EQ(same.linear_limit, limit);
-  const std::string description = describe(remedy, scene.settings);
   EXPECT_EQ(same.advice.substeps, 4 * *limit);
-  EXPECT_NE(description.find(std::to_string(4 * *limit) + " substeps per frame, 4 times the linear limit of " + std::to_string(*limit) +
-                             " (a measured margin),"),
-            std::string::npos)
-      << description;
 }
 
 // The cheapest setting of any method comes first, and one that keeps the method second.

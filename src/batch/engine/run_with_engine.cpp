@@ -168,11 +168,8 @@ class EngineRun {
   std::vector<std::string> command() const {
     const long report = std::max(1l, frames_ / 200);
     std::vector<std::string> words = words_;
-    for (const std::string& word :
-         {std::string("-in"), std::string(script_name), std::string("-log"), std::string("none"), std::string("-var"), std::string("steps"),
-          std::to_string(steps(frames_)), std::string("-var"), std::string("every"), std::to_string(steps(frames_per_dump())),
-          std::string("-var"), std::string("report"), std::to_string(steps(report))})
-      words.push_back(word);
+    words.insert(words.end(), {"-in", script_name, "-log", "none", "-var", "steps", std::to_string(steps(frames_)), "-var", "every",
+                               std::to_string(steps(frames_per_dump())), "-var", "report", std::to_string(steps(report))});
     return words;
   }
 

@@ -7,7 +7,7 @@
 #include "base/printable.h"
 #include "batch/run_frames.h"
 #include "batch/scene_options.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "lab/lab.h"
 #include "scene/flatness.h"
 #include "scene/step_advice.h"

@@ -12,18 +12,12 @@ namespace {
 
 using TableLayout = JsonWriter::Layout;
 
-constexpr std::array sweep_statuses{std::pair{SweepRow::Status::Ok, std::string_view("ok")},
-                                    std::pair{SweepRow::Status::Warning, std::string_view("warning")},
-                                    std::pair{SweepRow::Status::Diverged, std::string_view("diverged")}};
+constexpr std::array<std::string_view, 3> sweep_statuses{"ok", "warning", "diverged"};
 
 std::string in_brackets(std::string_view unit) { return unit.empty() ? "" : " [" + std::string(unit) + "]"; }
 
-bool has_numbers(const Parameter& parameter) {
-  return parameter.kind == Parameter::Kind::Number || parameter.kind == Parameter::Kind::Integer;
-}
-
 void write_value(JsonWriter& json, const Parameter& parameter, double value) {
-  if (has_numbers(parameter))
+  if (parameter.is_number())
     json.number(value);
   else
     json.text(value_text(parameter, value));
@@ -31,13 +25,11 @@ void write_value(JsonWriter& json, const Parameter& parameter, double value) {
 
 }  // namespace
 
-std::string_view sweep_status_name(SweepRow::Status status) {
-  return std::ranges::find(sweep_statuses, status, &std::pair<SweepRow::Status, std::string_view>::first)->second;
-}
+std::string_view sweep_status_name(SweepRow::Status status) { return sweep_statuses[static_cast<std::size_t>(status)]; }
 
 std::optional<SweepRow::Status> find_sweep_status(std::string_view name) {
-  const auto at = std::ranges::find(sweep_statuses, name, &std::pair<SweepRow::Status, std::string_view>::second);
-  return at == sweep_statuses.end() ? std::nullopt : std::optional(at->first);
+  const auto at = std::ranges::find(sweep_statuses, name);
+  return at == sweep_statuses.end() ? std::nullopt : std::optional(static_cast<SweepRow::Status>(at - sweep_statuses.begin()));
 }
 
 std::string format_sweep_csv(const Sweep& sweep, const SweepRows& rows) {

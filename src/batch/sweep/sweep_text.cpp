@@ -25,8 +25,7 @@ double to_twelve_digits(double value) { return parse_number(formatted("%.12g", v
 // "100:1e4:log:20": from, to, spacing, number.
 std::string parse_range(const std::vector<std::string_view>& parts, SweepAxis& axis) {
   const Parameter& parameter = *axis.parameter;
-  const bool is_number = parameter.kind == Parameter::Kind::Number || parameter.kind == Parameter::Kind::Integer;
-  if (!is_number) return limit_text(parameter) + ", separated by commas";
+  if (!parameter.is_number()) return limit_text(parameter) + ", separated by commas";
   if (parts.size() != 4 || (parts[2] != "log" && parts[2] != "lin")) return "a range must be MIN:MAX:log:COUNT or MIN:MAX:lin:COUNT";
   const auto first = parse_value(parameter, parts[0]), last = parse_value(parameter, parts[1]);
   for (const auto& [value, text] : {std::pair{first, parts[0]}, std::pair{last, parts[1]}})

@@ -1,25 +1,107 @@
+#include <unistd.h>
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "base/errors.h"
+#include "base/formatted.h"
 #include "base/printable.h"
 #include "base/read_file.h"
 #include "batch/bench.h"
-#include "batch/bench_comparison.h"
 #include "batch/bench_report.h"
 #include "batch/junit.h"
 #include "batch/output_file.h"
-#include "cli/commands/bench_progress.h"
 #include "cli/commands/bench_tables.h"
 #include "cli/commands/commands.h"
 #include "cli/interrupt.h"
 #include "cli/scene_options.h"
 #include "device/gpu_device.h"
 #include "sim/control/automatic.h"
+#include "study/work_precision_file.h"
 
 namespace hooke {
 namespace {
+
+// Progress of a benchmark, on one line of a terminal. A part is one method on one problem.
+class BenchProgress {
+ public:
+  // Shows nothing unless `enabled` and stderr is a terminal.
+  BenchProgress(std::size_t parts, bool enabled) : parts_(parts), enabled_(enabled && isatty(STDERR_FILENO) == 1) {}
+  ~BenchProgress() { clear(); }
+  BenchProgress(const BenchProgress&) = delete;
+  BenchProgress& operator=(const BenchProgress&) = delete;
+
+  void begin_part(const std::string& label) {
+    ++started_;
+    label_ = label;
+    part_start_ = Clock::now();
+    show("");
+  }
+
+  void show(const std::string& detail) const {
+    if (enabled_)
+      std::fprintf(stderr, "\r\033[K%zu of %zu%s: %s  %s", started_, parts_, time_left().c_str(), label_.c_str(), detail.c_str());
+  }
+
+  // A part found in earlier results is excluded from the estimate of the time left.
+  void end_part(bool was_measured) {
+    if (!was_measured) return;
+    ++measured_;
+    spent_ += Clock::now() - part_start_;
+  }
+
+  // Clears its line.
+  void clear() const {
+    if (enabled_) std::fputs("\r\033[K", stderr);
+  }
+
+ private:
+  // from the mean time of the parts measured so far
+  std::string time_left() const {
+    if (measured_ == 0) return "";
+    const double each = std::chrono::duration<double>(spent_).count() / static_cast<double>(measured_);
+    const double seconds = each * static_cast<double>(parts_ + 1 - started_);
+    return seconds < 90.0 ? formatted(", %.0f s left", seconds) : formatted(", %.0f min left", seconds / 60.0);
+  }
+
+  using Clock = std::chrono::steady_clock;
+  std::size_t parts_, started_ = 0, measured_ = 0;
+  bool enabled_;
+  std::string label_;
+  Clock::time_point part_start_ = Clock::now();
+  Clock::duration spent_{};
+};
+
+// Larger than the differences between references that were refined differently, smaller than those between settings.
+constexpr double allowed_growth = 1.1;  // [1]
+
+std::string failure_of(const ProblemRecord& earlier_record, const Row& earlier, const ProblemRecord& record, const Row& now) {
+  const std::optional<double> before = error_with_uncertainty(earlier_record, earlier), after = error_with_uncertainty(record, now);
+  if (!before) return "";
+  if (!after) return formatted("%s; the error was %.3g", now.status.c_str(), *before);
+  return *after <= allowed_growth * *before ? "" : formatted("error %.3g of the size, %.3g in the earlier results", *after, *before);
+}
+
+// Against earlier results: one case for each problem, method and setting of both. It failed if its error is more than 10 % larger, beyond
+// the uncertainty of the reference, or if the run did not finish although the earlier one did. Times depend on the machine.
+std::vector<JunitCase> compare_with_earlier(const Results& earlier, const Results& now) {
+  std::vector<JunitCase> cases;
+  for (const ProblemRecord& record : now.problems) {
+    const auto same = std::ranges::find(earlier.problems, record.id, &ProblemRecord::id);
+    if (same == earlier.problems.end()) continue;
+    for (const Row& row : record.rows) {
+      const auto matches = [&](const Row& other) { return other.method == row.method && other.setting == row.setting; };
+      if (const auto other = std::ranges::find_if(same->rows, matches); other != same->rows.end())
+        cases.push_back({.group = record.id, .name = row.method + ", " + row.setting, .failure = failure_of(*same, *other, record, row)});
+    }
+  }
+  return cases;
+}
 
 struct BenchOptions {
   std::vector<std::string> scenes;   // built-in problems, shipped scenes or files; empty: the built-in problems
@@ -35,26 +117,24 @@ struct BenchOptions {
   std::vector<std::filesystem::path> merge;  // folders of parts; empty: measure
 };
 
-void draw_charts_or_warn(const Results& results, const std::filesystem::path& folder) {
-  if (const std::optional<std::string> failure = draw_charts(results, folder)) std::cerr << *failure << "\n";
+void draw_and_print(const Results& results, const BenchOptions& options) {
+  if (const std::optional<std::string> failure = draw_charts(results, options.folder)) std::cerr << *failure << "\n";
+  if (options.quiet || options.junit == "-") return;
+  for (const ProblemRecord& record : results.problems) std::cout << report(record);
 }
 
 int rewrite_report(const BenchOptions& options) {
   make_folder(options.folder);
   const Results results = parse_results(read_file(options.report_of), printable(options.report_of.native()));
   write_pages(results, options.folder);
-  draw_charts_or_warn(results, options.folder);
-  if (!options.quiet)
-    for (const ProblemRecord& record : results.problems) std::cout << report(record);
+  draw_and_print(results, options);
   return exit_code::success;
 }
 
 int merge_parts(const BenchOptions& options) {
   const auto [results, missing] = merge_benches(options.merge);
   save_results(results, options.folder);
-  draw_charts_or_warn(results, options.folder);
-  if (!options.quiet)
-    for (const ProblemRecord& record : results.problems) std::cout << report(record);
+  draw_and_print(results, options);
   if (missing.empty()) return exit_code::success;
   std::cerr << "incomplete: " << missing << "\n";
   return exit_code::check_failed;
@@ -111,9 +191,7 @@ int bench(const BenchOptions& options) {
   catch_interrupts();
   const BenchResults results = run_bench(request, hooks);
   progress.clear();
-  draw_charts_or_warn(results.results, options.folder);
-  if (!options.quiet && options.junit != "-")
-    for (const ProblemRecord& record : results.results.problems) std::cout << report(record);
+  draw_and_print(results.results, options);
   if (is_interrupted) {
     std::cerr << "Interrupted. Results so far are saved; the same command resumes from them.\n";
     return exit_interrupted();

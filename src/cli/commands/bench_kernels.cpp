@@ -1,11 +1,9 @@
 #include "cli/commands/bench_tables.h"
 
-#include <iostream>
 #include <vector>
 
 #include "base/atomic_write.h"
 #include "base/formatted.h"
-#include "batch/machine.h"
 #include "batch/output_file.h"
 #include "cli/interrupt.h"
 #include "cli/scene_options.h"
@@ -22,13 +20,7 @@ int bench_kernels(const std::filesystem::path& folder, Device device, bool quick
   catch_interrupts();
   const std::vector<int> sizes = quick ? std::vector{32, 64} : std::vector{32, 64, 128, 256, 512, 1024};
   std::string csv = "case,points,springs,ns_per_spring\n";
-  if (!quiet) {
-    std::cout << machine() << "\n\n| velocity_verlet or named, ns per spring and step |";
-    for (const int n : sizes) std::cout << " " << n << " x " << n << " |";
-    std::cout << "\n|---|";
-    for (std::size_t i = 0; i < sizes.size(); ++i) std::cout << "---|";
-    std::cout << "\n";
-  }
+  if (!quiet) print_head("velocity_verlet or named, ns per spring and step", sizes, size_text);
   for (const KernelCase& row : kernel_cases()) {
     const Scene scene = make_kernel_scene(row, sizes.front(), 1);
     const bool is_for_gpu = row.threads == 1 && needs_processor(make_plan(scene.system), *scene.settings.integrator).empty();

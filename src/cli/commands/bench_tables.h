@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <iostream>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "batch/machine.h"
 #include "batch/scene_options.h"
 #include "sim/methods/integrator.h"
 
@@ -24,5 +26,16 @@ int bench_overhead(const std::filesystem::path& folder, const std::vector<std::s
                    const std::vector<const Integrator*>& methods, bool quick, bool quiet);
 // Time and memory of cloths of 1e3 to 4e6 springs.
 int bench_scaling(const std::filesystem::path& folder, bool quick, bool quiet);
+
+// The head of a table for a terminal: the machine, and `title` before a column for each of `columns`, by its name.
+template <class Columns, class Name>
+void print_head(std::string_view title, const Columns& columns, const Name& name) {
+  std::cout << machine() << "\n\n| " << title << " |";
+  for (const auto& column : columns) std::cout << " " << name(column) << " |";
+  std::cout << "\n|---|";
+  for (std::size_t i = 0; i < columns.size(); ++i) std::cout << "---|";
+  std::cout << "\n";
+}
+inline std::string size_text(int n) { return std::to_string(n) + " x " + std::to_string(n); }
 
 }  // namespace hooke

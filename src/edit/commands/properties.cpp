@@ -11,11 +11,6 @@
 namespace hooke {
 namespace {
 
-template <class Id, class Value>
-bool same_ids(const std::vector<std::pair<Id, Value>>& a, const std::vector<std::pair<Id, Value>>& b) {
-  return std::ranges::equal(a, b, {}, &std::pair<Id, Value>::first, &std::pair<Id, Value>::first);
-}
-
 Point item_at(const System& system, Index i, PointId) { return system.points()[i]; }
 Spring item_at(const System& system, Index s, SpringId) { return system.springs()[s]; }
 void put(System& system, Index i, const Point& point) { system.point(i) = point; }
@@ -80,8 +75,6 @@ std::string SetVelocity::describe() const {
          (values.size() == 1 ? " to " + value_text(glm::length(values[0].second), "m/s") : "");
 }
 
-bool SetVelocity::is_undone_with(const SetVelocity& earlier) const { return same_ids(values, earlier.values); }
-
 Inverse SetVelocity::apply(Scene& scene, Effect& effect) const {
   SetVelocity inverse;
   for (const auto& [point, velocity] : values) {
@@ -97,16 +90,12 @@ Inverse SetVelocity::apply(Scene& scene, Effect& effect) const {
 
 std::string SetPointColor::describe() const { return "color of " + pluralize(values.size(), "point", "points"); }
 
-bool SetPointColor::is_undone_with(const SetPointColor& earlier) const { return same_ids(values, earlier.values); }
-
 Inverse SetPointColor::apply(Scene& scene, Effect&) const { return {SetPointColor{exchange(scene, values, &Point::color)}}; }
 
 std::string SetLoad::describe() const {
   return "load of " + pluralize(values.size(), "point", "points") +
          (values.size() == 1 ? " to " + value_text(glm::length(values[0].second), "N") : "");
 }
-
-bool SetLoad::is_undone_with(const SetLoad& earlier) const { return same_ids(values, earlier.values); }
 
 Inverse SetLoad::apply(Scene& scene, Effect& effect) const {
   effect.values = true;
@@ -129,12 +118,8 @@ std::string SetPointProperty::describe() const {
          new_values_text(values, is_mass ? "kg" : "m");
 }
 
-bool SetPointProperty::is_undone_with(const SetPointProperty& earlier) const {
-  return property == earlier.property && same_ids(values, earlier.values);
-}
-
 Inverse SetPointProperty::apply(Scene& scene, Effect& effect) const {
-  double Point::*const member = property == PointProperty::Mass ? &Point::mass : &Point::radius;
+  double Point::*const member = member_of(property);
   SetPointProperty inverse{property, {}};
   // where mass follows the radius, restore it after the radius
   SetPointProperty masses{PointProperty::Mass, {}};
@@ -165,19 +150,12 @@ std::string SetSpringProperty::describe() const {
   return what[at] + pluralize(values.size(), "spring", "springs") + new_values_text(values, units[at]);
 }
 
-bool SetSpringProperty::is_undone_with(const SetSpringProperty& earlier) const {
-  return property == earlier.property && same_ids(values, earlier.values);
-}
-
 Inverse SetSpringProperty::apply(Scene& scene, Effect& effect) const {
-  constexpr double Spring::*members[] = {&Spring::stiffness, &Spring::damping, &Spring::rest_length, &Spring::break_strain};
   effect.values = true;
-  return {SetSpringProperty{property, exchange(scene, values, members[static_cast<int>(property)])}};
+  return {SetSpringProperty{property, exchange(scene, values, member_of(property))}};
 }
 
 std::string SetSpringLaw::describe() const { return "law of " + pluralize(values.size(), "spring", "springs"); }
-
-bool SetSpringLaw::is_undone_with(const SetSpringLaw& earlier) const { return same_ids(values, earlier.values); }
 
 Inverse SetSpringLaw::apply(Scene& scene, Effect& effect) const {
   effect.values = true;

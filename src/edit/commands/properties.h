@@ -1,6 +1,7 @@
 // Commands that set properties of points and springs.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -51,7 +52,6 @@ struct SetVelocity {
 
   std::string describe() const;
   Inverse apply(Scene& scene, Effect& effect) const;
-  bool is_undone_with(const SetVelocity& earlier) const;
 };
 
 // Sets the color of points, or removes it.
@@ -62,7 +62,6 @@ struct SetPointColor {
 
   std::string describe() const;
   Inverse apply(Scene& scene, Effect& effect) const;
-  bool is_undone_with(const SetPointColor& earlier) const;
 };
 
 // Sets the loads of points.
@@ -73,7 +72,6 @@ struct SetLoad {
 
   std::string describe() const;
   Inverse apply(Scene& scene, Effect& effect) const;
-  bool is_undone_with(const SetLoad& earlier) const;
 };
 
 // Sets along which axes points do not move (Point::fixed_axes).
@@ -87,6 +85,7 @@ struct SetFixedAxes {
 };
 
 enum class PointProperty { Mass, Radius };
+constexpr double Point::*member_of(PointProperty property) { return property == PointProperty::Mass ? &Point::mass : &Point::radius; }
 struct SetPointProperty {
   static constexpr std::string_view name = "set_point_property";
   static constexpr auto fields = names("property", "values");
@@ -95,10 +94,12 @@ struct SetPointProperty {
 
   std::string describe() const;
   Inverse apply(Scene& scene, Effect& effect) const;
-  bool is_undone_with(const SetPointProperty& earlier) const;
 };
 
 enum class SpringProperty { Stiffness, Damping, RestLength, BreakStrain };
+constexpr double Spring::*member_of(SpringProperty property) {
+  return std::array{&Spring::stiffness, &Spring::damping, &Spring::rest_length, &Spring::break_strain}[static_cast<std::size_t>(property)];
+}
 struct SetSpringProperty {
   static constexpr std::string_view name = "set_spring_property";
   static constexpr auto fields = names("property", "values");
@@ -107,7 +108,6 @@ struct SetSpringProperty {
 
   std::string describe() const;
   Inverse apply(Scene& scene, Effect& effect) const;
-  bool is_undone_with(const SetSpringProperty& earlier) const;
 };
 
 // Sets the laws of springs.
@@ -118,7 +118,6 @@ struct SetSpringLaw {
 
   std::string describe() const;
   Inverse apply(Scene& scene, Effect& effect) const;
-  bool is_undone_with(const SetSpringLaw& earlier) const;
 };
 
 }  // namespace hooke

@@ -35,35 +35,31 @@ void add_effect_of(const Parameter& parameter, Effect& effect) {
 
 // The commands that restore what a write of the parameter overwrites.
 Inverse inverse_of(const Parameter& parameter, const Scene& scene) {
-  const auto all_springs = [&](SpringProperty property, double Spring::*member) {
-    SetSpringProperty set{property, {}};
-    for (const Spring& spring : scene.system.springs()) set.values.emplace_back(spring.id, spring.*member);
-    return Inverse{set};
-  };
-  const auto all_points = [&](PointProperty property, double Point::*member) {
-    SetPointProperty set{property, {}};
-    for (const Point& point : scene.system.points()) set.values.emplace_back(point.id, point.*member);
+  const auto all = [](auto set, const auto& items) {
+    for (const auto& item : items) set.values.emplace_back(item.id, item.*member_of(set.property));
     return set;
   };
+  const auto& springs = scene.system.springs();
+  const auto& points = scene.system.points();
   switch (parameter.scope) {
     case Parameter::Scope::Gravity:
       return {SetGravity{scene.system.gravity}};
     case Parameter::Scope::Colliders:
       return {SetColliders{carried_colliders(scene.system, scene.state)}};
     case Parameter::Scope::SpringStiffness:
-      return all_springs(SpringProperty::Stiffness, &Spring::stiffness);
+      return {all(SetSpringProperty{SpringProperty::Stiffness, {}}, springs)};
     case Parameter::Scope::SpringDamping:
-      return all_springs(SpringProperty::Damping, &Spring::damping);
+      return {all(SetSpringProperty{SpringProperty::Damping, {}}, springs)};
     case Parameter::Scope::PointMass:
-      return {all_points(PointProperty::Mass, &Point::mass)};
+      return {all(SetPointProperty{PointProperty::Mass, {}}, points)};
     case Parameter::Scope::PointSize:
-      return {all_points(PointProperty::Radius, &Point::radius), all_points(PointProperty::Mass, &Point::mass)};
+      return {all(SetPointProperty{PointProperty::Radius, {}}, points), all(SetPointProperty{PointProperty::Mass, {}}, points)};
     case Parameter::Scope::Number:
     case Parameter::Scope::Setting:
     case Parameter::Scope::Structure:
       break;
   }
-  if (parameter.is_given != nullptr && !parameter.is_given(scene)) return {RestoreParameter{&parameter, not_given}};
+  if (!parameter.is_given(scene)) return {RestoreParameter{&parameter, not_given}};
   Inverse inverse{RestoreParameter{&parameter, parameter.read(scene)}};
   // the speed of the muscles changes their offset too
   if (parameter.name == "muscles" || parameter.name == "muscle_speed")
@@ -93,9 +89,9 @@ std::string RestoreParameter::describe() const {
 }
 
 Inverse RestoreParameter::apply(Scene& scene, Effect& effect) const {
-  if (std::isnan(value) && parameter->clear != nullptr) {
+  if (std::isnan(value) && parameter->access.clear != nullptr) {
     Inverse inverse = inverse_of(*parameter, scene);
-    parameter->clear(scene);
+    parameter->access.clear(scene);
     add_effect_of(*parameter, effect);
     return inverse;
   }

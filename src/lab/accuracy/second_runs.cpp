@@ -73,9 +73,8 @@ void SecondRuns::add_frame(const Plan& plan, const System& system, const Setting
     is_new_ = true;
     return;
   }
-  if (is_new_) restart(size_);
-
   if (is_new_) {
+    restart(size_);
     start(refined_, plan, before);
     since_ = before.time;
     is_new_ = false;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/threads/thread_team.h"
 #include "sim/forces/grid_rows.h"
 #include "sim/plan/plan.h"
 
@@ -45,23 +44,6 @@ struct alignas(64) BandProgress {
   std::atomic<int> begun{0}, ended{0};
 };
 
-// A band and the one below it in a pass.
-class BandStepsOfTurn final : public BandSteps {
- public:
-  BandStepsOfTurn(const ThreadTeam::Turn& turn, std::atomic<int>& own, const std::atomic<int>* below, int pass)
-      : turn_(turn), own_(own), below_(below), pass_(pass) {}
-  void has_read_above() const override { ThreadTeam::Turn::set(own_, pass_); }
-  void wait_for_below() const override {
-    if (below_ != nullptr) turn_.wait_for(*below_, pass_);
-  }
-
- private:
-  const ThreadTeam::Turn& turn_;
-  std::atomic<int>& own_;
-  const std::atomic<int>* below_;
-  int pass_;
-};
-
 // `passes` passes over the rows of a grid, one after another, each in bands of rows side by side: use(part, pass, band). With `in_place`
 // they change x and, with v, its velocities. Returns the number of bands. A thread begins a pass as soon as the band above has ended the
 // one before.
@@ -95,7 +77,7 @@ int for_bands(const Plan& plan, const GridView<T>& grid, int passes, bool in_pla
       if (v != nullptr) band.v_below = copy_of(part + 1) + row_of_all;
     }
     for (int pass = 1; pass <= passes; ++pass) {
-      const BandStepsOfTurn steps(turn, progress[part].begun, is_last ? nullptr : &progress[part + 1].begun, pass);
+      const BandSteps steps{turn, progress[part].begun, is_last ? nullptr : &progress[part + 1].begun, pass};
       if (part > 0) turn.wait_for(progress[part - 1].ended, pass - 1);
       if (in_place) {
         if (part > 0) copy_row(x, band.begin, copy_of(part));

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "base/threads/thread_team.h"
 #include "sim/plan/grid.h"
 
 namespace hooke {
@@ -26,15 +27,17 @@ struct GridView {
 };
 
 // How a thread that advances the rows of a band stays in step with those of the bands beside it.
-class BandSteps {
- public:
+struct BandSteps {
+  const ThreadTeam::Turn& turn;
+  std::atomic<int>& own;
+  const std::atomic<int>* below;  // null: this is the last band
+  int pass;
   // The row above was read, and the copy of the first row was made: the band above may advance its last row.
-  virtual void has_read_above() const = 0;
+  void has_read_above() const { ThreadTeam::Turn::set(own, pass); }
   // Returns when the band below has done so.
-  virtual void wait_for_below() const = 0;
-
- protected:
-  ~BandSteps() = default;
+  void wait_for_below() const {
+    if (below != nullptr) turn.wait_for(*below, pass);
+  }
 };
 
 // The rows begin .. end - 1 of a grid, at least two. Other threads may advance the rows beside them at the same time: then the row `end` is

@@ -21,11 +21,11 @@ double Passage::longest_step(int order, bool dissipates) const {
   if (!(speed > 0.0)) return std::numeric_limits<double>::infinity();
 
   // With n steps in the time length / speed, a passage through a center changes the energy by at most n^-3 / 30 of the kinetic energy
-  // there, from n = 3 on, with methods of any order: the law of the force has a jump in its second derivative. At a plane it has one in the
-  // first, and the change is up to n^-2 / 10. In between, methods of first order let it oscillate by some 1 / n; those of them that
-  // dissipate take 0.6 / n of it. Measured for exponents of 0.5 to 4 (tests/study/passage_test.cpp).
+  // there, from n = 3 on, with methods of any order: the law of the force has a jump in its second derivative. Methods of first order let
+  // it oscillate by some 1 / n; those of them that dissipate take 0.6 / n of it. Measured for exponents of 0.5 to 4
+  // (tests/study/passage_test.cpp).
   const double depth = std::max(1.0, 0.5 * speed * speed / energy);
-  const double steps = dissipates ? 60.0 * depth : (order == 1 ? 15.0 : 3.0) * portable::pow(depth, 1.0 / exponent);
+  const double steps = dissipates ? 60.0 * depth : (order == 1 ? 15.0 : 3.0) * portable::pow(depth, 1.0 / 3.0);
   const double resolved = length / (steps * speed);
 
   // a force so weak against the motion that one step in it, wherever it is, changes the energy little

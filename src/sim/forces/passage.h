@@ -17,7 +17,6 @@ struct PassingPoint {
   const System& system;
   const Force& force;
   Vec3 position{0.0}, velocity{0.0};
-  double radius = 0.0;    // [m]
   double gravity = 0.0;   // [m/s^2]
   double elastic = 0.0;   // [J/kg], of its springs, which it may get as kinetic energy
   bool is_alone = false;  // nothing but this force acts on it, which keeps its angular momentum about the center
@@ -33,8 +32,6 @@ struct Passage {
   double length = 0.0;        // [m], over which the force changes
   double acceleration = 0.0;  // [m/s^2], by the force there, the highest
   double energy = 0.0;        // [J/kg], of the motion far from there, which is little where a point falls deep
-  double exponent = 3.0;      // [1], with which the error falls with the number of steps: 2 where the law has a kink
-  bool at_plane = false;      // the point reaches a plane that attracts it; otherwise it passes a center
 
   // [s], the longest step with which a method of this order gets the point through with an energy that is wrong by less than about a
   // hundredth of that of its motion far from there. `dissipates`: a method of first order that damps fast motion.

@@ -14,9 +14,6 @@ constexpr Integrator automatic_row{
     .order_with = {.drag = 2, .damped = 2, .contact = 1, .force_terms = 1},
     .stability = Stability::Adaptive,
     .energy = EnergyTrend::Drifts,
-    .symplectic = false,
-    .implicit_solve = ImplicitSolve::None,
-    .for_production = true,
 };
 
 }  // namespace

@@ -45,7 +45,6 @@ constinit const Integrator baraff_witkin{
     .order_with = {.drag = 1, .damped = 1, .contact = 1, .force_terms = 1},
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
-    .symplectic = false,
     .implicit_solve = ImplicitSolve::Once,
     .for_production = false,
     .velocity_lag = 0.5,

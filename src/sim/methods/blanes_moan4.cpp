@@ -103,8 +103,6 @@ constinit const Integrator blanes_moan4{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
-    .implicit_solve = ImplicitSolve::None,
-    .for_production = true,
     .splits_dashpots = true,
     .prepare = prepare,
     .step = step,

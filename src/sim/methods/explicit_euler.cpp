@@ -35,8 +35,6 @@ constinit const Integrator explicit_euler{
     .order_with = {.drag = 1, .damped = 1, .contact = 1, .force_terms = 1},
     .stability = Stability::None,
     .energy = EnergyTrend::Grows,
-    .symplectic = false,
-    .implicit_solve = ImplicitSolve::None,
     .for_production = false,
     .velocity_lag = -0.5,
     .step = step,

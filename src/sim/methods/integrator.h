@@ -79,11 +79,11 @@ struct Integrator {
   OrdersWith order_with;
   Stability stability;
   EnergyTrend energy;
-  bool symplectic;  // undamped
-  ImplicitSolve implicit_solve;
+  bool symplectic = false;  // undamped
+  ImplicitSolve implicit_solve = ImplicitSolve::None;
   // Robust enough for unattended use: the hard cases require that it succeeds at the smallest step tried. The others are for teaching and
   // comparison.
-  bool for_production;
+  bool for_production = true;
   // [1], by how much of a step its velocity is behind its position: half a step where x' = x + h v', and -1/2 where x' = x + h v.
   double velocity_lag = 0.0;
   // Whether it repeats its step Settings::iterations times.

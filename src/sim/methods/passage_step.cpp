@@ -48,7 +48,6 @@ Passage shortest_passage(const System& system, const State& state, double within
                                                                  .force = force,
                                                                  .position = state.position[i],
                                                                  .velocity = state.velocity[i],
-                                                                 .radius = point.radius,
                                                                  .gravity = gravity,
                                                                  .elastic = elastic[i] / point.mass,
                                                                  .is_alone = !other_forces && !has_springs[i],

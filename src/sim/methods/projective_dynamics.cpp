@@ -165,7 +165,6 @@ constinit const Integrator projective_dynamics{
     .order_with = {.drag = 1, .damped = 1, .contact = 1, .force_terms = 1},
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
-    .symplectic = false,
     .implicit_solve = ImplicitSolve::Prefactored,
     .for_production = false,
     .velocity_lag = 0.5,

@@ -59,7 +59,6 @@ constinit const Integrator symplectic_euler{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
-    .implicit_solve = ImplicitSolve::None,
     .for_production = false,
     .velocity_lag = 0.5,
     .step = step,

@@ -114,8 +114,6 @@ constinit const Integrator velocity_verlet{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
-    .implicit_solve = ImplicitSolve::None,
-    .for_production = true,
     .splits_dashpots = true,
     .prepare = prepare,
     .step = step,

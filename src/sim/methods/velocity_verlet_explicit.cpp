@@ -72,8 +72,6 @@ constinit const Integrator velocity_verlet_explicit{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
-    .implicit_solve = ImplicitSolve::None,
-    .for_production = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

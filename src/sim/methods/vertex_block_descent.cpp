@@ -213,8 +213,6 @@ constinit const Integrator vertex_block_descent{
     .order_with = {.drag = 1, .damped = 1, .contact = 1, .force_terms = 1},
     .stability = Stability::EachSpring,
     .energy = EnergyTrend::Falls,
-    .symplectic = false,
-    .implicit_solve = ImplicitSolve::None,
     .for_production = false,
     .velocity_lag = 0.5,
     .iterates = true,

@@ -66,8 +66,8 @@ struct ForceTerm {
   std::string_view label;                      // in the panel
   std::string_view description;                // one sentence
   std::span<const ForceParameter> numbers;
-  bool depends_on_velocity;
-  bool is_continuous;  // in x and v; false: Newton iterations freeze it after some iterations
+  bool depends_on_velocity = false;
+  bool is_continuous = true;  // in x and v; false: Newton iterations freeze it after some iterations
   // Adds the force [N] to f at `time` [s], positions x [m] and velocities v [m/s], all in the layout of the Plan. `f` already contains
   // gravity, springs, dashpots, the pull of the hand, and the forces of the rows above.
   void (*add)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f);

@@ -40,8 +40,6 @@ constinit const ForceTerm load_force{
     .label = "Loads",
     .description = "The loads of points.",
     .numbers = {},
-    .depends_on_velocity = false,
-    .is_continuous = true,
     .add = add_loads,
     .bound = bound_loads,
     .potential = potential_of_loads,
@@ -52,8 +50,6 @@ constinit const ForceTerm roller_force{
     .label = "Rollers",
     .description = "What holds points on their axes.",
     .numbers = {},
-    .depends_on_velocity = false,
-    .is_continuous = true,
     .add = hold_rollers,
     .bound = bound_rollers,
 };

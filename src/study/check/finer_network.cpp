@@ -55,8 +55,8 @@ class NetworkRefinement {
     if (points_.size() > static_cast<std::size_t>(max_points)) return std::nullopt;
     for (const Fine& fine : fine_) {
       add_masses(fine);
-      add_lines(fine, Grid::Right, 0, 1);
-      add_lines(fine, Grid::Down, 1, 0);
+      add_lines(fine, 1, 0, 1, [&](Index r, Index c) { return at(*fine.grid, Grid::Right, r, c); });
+      add_lines(fine, 1, 1, 0, [&](Index r, Index c) { return at(*fine.grid, Grid::Down, r, c); });
       add_diagonals(fine);
     }
     add_bends();
@@ -212,26 +212,28 @@ class NetworkRefinement {
     return {sheet + 2.0 * (1.0 - sheet), sheet};
   }
 
-  // Springs along rows (dc = 1) or columns (dr = 1).
-  void add_lines(const Fine& fine, Grid::Direction direction, Index dr, Index dc) {
+  // Springs along rows (dc = 1) or columns (dr = 1) that join a point with the next one or, as bend springs do, the one after `reach`:
+  // from every point of a refined line, as strong as the original spring find(row, column) there.
+  template <class Find>
+  void add_lines(const Fine& fine, Index reach, Index dr, Index dc, const Find& find) {
     const Grid& grid = *fine.grid;
+    const Index length = dc == 1 ? grid.columns : grid.rows, lines_beside = dc == 1 ? grid.rows : grid.columns;
+    if (length <= reach) return;
     std::map<std::pair<Index, Index>, Strength> lines;  // by the refined position of the first end
-    for (Index r = 0; r < grid.rows; ++r)
-      for (Index c = 0; c < grid.columns; ++c) {
-        const Spring* one = at(grid, direction, r, c);
+    for (Index across = 0; across < lines_beside; ++across)
+      for (Index along = 0; along + reach < 2 * length - 1; ++along) {
+        const Index start = std::clamp((along + 1 - reach) / 2, 0, length - 1 - reach);
+        const auto beside = [&](Index by) { return find(dc == 1 ? across + by : start, dc == 1 ? start : across + by); };
+        const Spring *one = beside(0), *before = beside(-1), *after = beside(1);
         if (one == nullptr) continue;
-        const auto beside = [&](Index by) { return at(grid, direction, r + by * dc, c + by * dr); };
-        const Spring *before = beside(-1), *after = beside(1);
         const Fractions fractions = split(*one, before, after, beside(-2) != nullptr, beside(2) != nullptr);
-        for (const Index half : {0, 1}) {
-          const Index fr = 2 * r + half * dr, fc = 2 * c + half * dc;
-          lines[{fr, fc}].add(*one, fractions.line);
-          if (before != nullptr) lines[{fr - dc, fc - dr}].add(*one, fractions.side);
-          if (after != nullptr) lines[{fr + dc, fc + dr}].add(*one, fractions.side);
-        }
+        const Index fr = dc == 1 ? 2 * across : along, fc = dc == 1 ? along : 2 * across;
+        lines[{fr, fc}].add(*one, fractions.line);
+        if (before != nullptr) lines[{fr - dc, fc - dr}].add(*one, fractions.side);
+        if (after != nullptr) lines[{fr + dc, fc + dr}].add(*one, fractions.side);
       }
     for (const auto& [place, strength] : lines)
-      append(fine.at(place.first, place.second), fine.at(place.first + dr, place.second + dc), strength, 0.5);
+      append(fine.at(place.first, place.second), fine.at(place.first + reach * dr, place.second + reach * dc), strength, 0.5);
   }
 
   void add_diagonals(const Fine& fine) {
@@ -270,36 +272,13 @@ class NetworkRefinement {
       bends[static_cast<std::size_t>(in)][j == i + 2 ? 0 : 1][{i / grid.columns, i % grid.columns}] = &spring(s);
       is_in_grid_[static_cast<std::size_t>(s)] = true;
     }
-    for (std::size_t in = 0; in < fine_.size(); ++in) {
-      add_bend_lines(fine_[in], bends[in][0], 0, 1);
-      add_bend_lines(fine_[in], bends[in][1], 1, 0);
-    }
-  }
-
-  // From every point of the refined line to the second next one, as strong as the original spring there.
-  void add_bend_lines(const Fine& fine, const std::map<std::pair<Index, Index>, const Spring*>& bends, Index dr, Index dc) {
-    if (bends.empty()) return;
-    const Grid& grid = *fine.grid;
-    const Index length = dc == 1 ? grid.columns : grid.rows;
-    const auto find = [&](Index r, Index c) -> const Spring* {
-      const auto found = bends.find({r, c});
-      return found == bends.end() ? nullptr : found->second;
-    };
-    std::map<std::pair<Index, Index>, Strength> lines;
-    for (Index across = 0; across < (dc == 1 ? grid.rows : grid.columns); ++across)
-      for (Index along = 0; along + 2 < 2 * length - 1; ++along) {
-        const Index start = std::clamp((along - 1) / 2, 0, length - 3);
-        const auto beside = [&](Index by) { return find(dc == 1 ? across + by : start, dc == 1 ? start : across + by); };
-        const Spring *one = beside(0), *before = beside(-1), *after = beside(1);
-        if (one == nullptr) continue;
-        const Fractions fractions = split(*one, before, after, beside(-2) != nullptr, beside(2) != nullptr);
-        const Index fr = dc == 1 ? 2 * across : along, fc = dc == 1 ? along : 2 * across;
-        lines[{fr, fc}].add(*one, fractions.line);
-        if (before != nullptr) lines[{fr - dc, fc - dr}].add(*one, fractions.side);
-        if (after != nullptr) lines[{fr + dc, fc + dr}].add(*one, fractions.side);
-      }
-    for (const auto& [place, strength] : lines)
-      append(fine.at(place.first, place.second), fine.at(place.first + 2 * dr, place.second + 2 * dc), strength, 0.5);
+    for (std::size_t in = 0; in < fine_.size(); ++in)
+      for (const std::size_t down : {0, 1})
+        if (const auto& found = bends[in][down]; !found.empty())
+          add_lines(fine_[in], 2, down == 1 ? 1 : 0, down == 1 ? 0 : 1, [&](Index r, Index c) {
+            const auto bend = found.find({r, c});
+            return bend == found.end() ? nullptr : bend->second;
+          });
   }
 
   void add_other_springs() {

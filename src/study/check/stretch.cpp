@@ -16,16 +16,10 @@ double strain_at(const System& system, const std::vector<Vec3>& places, const Sp
   return spring.rest_length > 0.0 ? length / spring.rest_length - 1.0 : 0.0;
 }
 
-double mean_strain(const System& system, const std::vector<Vec3>& places, const std::vector<Index>& springs) {
+// `limit`: a spring is at most this much longer than its rest length.
+double mean_strain(const System& system, const std::vector<Vec3>& places, const std::vector<Index>& springs, double limit = HUGE_VAL) {
   double sum = 0.0;
-  for (const Index s : springs) sum += strain_at(system, places, system.springs()[s]);
-  return springs.empty() ? 0.0 : sum / static_cast<double>(springs.size());
-}
-
-// With the limit, a spring is at most this much longer than its rest length.
-double mean_limited(const System& system, const std::vector<Vec3>& places, const std::vector<Index>& springs) {
-  double sum = 0.0;
-  for (const Index s : springs) sum += std::min(system.strain_limit, strain_at(system, places, system.springs()[s]));
+  for (const Index s : springs) sum += std::min(limit, strain_at(system, places, system.springs()[s]));
   return springs.empty() ? 0.0 : sum / static_cast<double>(springs.size());
 }
 
@@ -72,7 +66,7 @@ StretchBreakdown explain_stretch(const System& system, const State& state, const
       if (settled) stretch.solver = at_rest - *stretch.load;
       double limited = at_rest;
       if (system.strain_limit > 0.0) {
-        limited = mean_limited(system, rest, springs);
+        limited = mean_strain(system, rest, springs, system.strain_limit);
         stretch.limit = limited - at_rest;
       }
       stretch.motion = stretch.now - limited;

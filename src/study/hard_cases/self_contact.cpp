@@ -3,9 +3,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/crossed_parts.h"
 #include "sim/contact/closest.h"
-#include "sim/contact/surface/surface_tree.h"
 #include "sim/methods/rows.h"
+#include "sim/plan/surface_plan.h"
 #include "study/hard_cases/contact_scenes.h"
 #include "study/hard_cases/monitored_run.h"
 #include "study/hard_cases/rows.h"
@@ -42,23 +43,6 @@ void run_scene(MonitoredRun& run, const ContactScene& scene, const Look& look) {
   }
 }
 
-// Edges that pass through faces.
-class CrossingCount {
- public:
-  explicit CrossingCount(const System& system) : plan_(plan_surface(system)) {}
-  std::size_t operator()(const State& state) {
-    place_.clear();
-    for (const Index i : plan_.points) place_.push_back(state.position[i]);
-    SurfaceTree tree;
-    tree.build(plan_, place_);
-    return tree.find_crossings(plan_, place_).found.size();
-  }
-
- private:
-  SurfacePlan plan_;
-  std::vector<Vec3> place_;
-};
-
 // The minimum distance between two springs that touch, those that no other spring joins [m], up to `reach`.
 double min_spring_distance(const System& system, const State& state, double reach) {
   const SurfacePlan plan = plan_surface(system);
@@ -84,9 +68,8 @@ template <ContactScene (*make)()>
 Verdict judge_cloth(const Integrator& method) {
   const ContactScene scene = make();
   MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
-  CrossingCount count(scene.network.system);
   std::size_t worst = 0;
-  run_scene(run, scene, [&] { worst = std::max(worst, count(run.state())); });
+  run_scene(run, scene, [&] { worst = std::max(worst, count_crossings(run.system(), run.state())); });
   const double rise = run.monitor().energy_rise();
   return judge(run, expectation_in_contact(run), worst == 0 && rise < max_rise,
                formatted("%zu crossings, energy rises %.1g, %d substeps", worst, rise, run.settings().substeps));

@@ -16,7 +16,6 @@ enum class KernelUnit { Step, ForceEvaluation, Sweep };
 
 struct KernelCase {
   std::string_view name;
-  std::string_view description;
   std::string_view members;    // of the scene, besides the net
   std::string_view generator;  // members of the generator of the net
   bool is_block = false;       // the jelly block instead of the cloth

@@ -6,15 +6,16 @@
 #include <utility>
 
 #include "base/file_limits.h"
-#include "edit/apply.h"
+#include "edit/command.h"
 #include "lab/lab.h"
 #include "sim/contact/contact.h"
 #include "sim/control/automatic.h"
-#include "study/remedy/trial_work.h"
 #include "study/run_monitor.h"
 
 namespace hooke {
 namespace {
+
+constexpr double work_of_frame = 2000.0, work_of_point = 100.0, work_of_spring = 10.0;  // [ns], beside that of the substeps
 
 // The work limit, shared by all copies.
 struct Budget {
@@ -201,12 +202,6 @@ std::optional<RecentChange> find_change(const Scene& from, const std::vector<Rec
   return std::nullopt;
 }
 
-std::optional<int> linear_limit(const Integrator& method, const Scene& scene) {
-  const StepLimits limits(bound_spectrum(scene.system));
-  if (!std::isfinite(limits.stable_step(method)) || limits.is_set_by_contact(method)) return std::nullopt;
-  return limits.stable_substeps(method, scene.settings.frame_rate);
-}
-
 // Tests settings on copies, and keeps the best of each method.
 class SettingSearch {
  public:
@@ -272,14 +267,10 @@ class SettingSearch {
     const bool is_tested = is_finished || (trial.end == Trial::End::OutOfBudget && trial.seconds >= 2.0 * diverged_after_);
     if (!is_tested || trial.gains) return false;
     const Rank rank = !trial.has_warnings() ? (is_finished ? Tested : PartlyTested) : trial.warnings.empty() ? StepWarning : OtherWarning;
-    const auto limit = linear_limit(*advice.integrator, start_);
-    const TestedSetting setting{
-        .advice = advice,
-        .seconds = trial.seconds,
-        .duration = trial.seconds > 0.0 ? 1e-9 * trial.work / trial.seconds : 0.0,
-        .linear_limit = limit,
-        .has_recommended_margin = limit && advice.substeps == recommended_margin(start_.system, start_.state) * *limit,
-        .warnings = trial.all_warnings()};
+    const TestedSetting setting{.advice = advice,
+                                .seconds = trial.seconds,
+                                .duration = trial.seconds > 0.0 ? 1e-9 * trial.work / trial.seconds : 0.0,
+                                .warnings = trial.all_warnings()};
     auto& best = cheapest_[rank];
     if (!best || setting.duration < best->duration) best = setting;
     if (is_present && !same_method_[rank]) same_method_[rank] = setting;
@@ -326,8 +317,25 @@ Remedy search(const Scene& start, double seconds, const std::atomic<bool>& stop,
 
 }  // namespace
 
+double TrialWork::since_last(const FrameRunner& frame, bool is_finished) {
+  constexpr double ns_per_ms = 1e6;
+  // what each call costs by itself [ns], which the cost model of `auto` leaves out
+  constexpr double call = 250.0;
+  ++calls_;
+  const double counted = ns_per_ms * frame.cost(plan_) + call * static_cast<double>(calls_);
+  const double trials = ns_per_ms * frame.trial_cost();
+  const double work = std::max(0.0, counted - counted_) + std::max(0.0, trials - trials_);
+  counted_ = is_finished ? 0.0 : counted;
+  trials_ = trials;
+  if (!is_finished) return work;
+  calls_ = 0;
+  const double items = plan_.points + 3.0 * static_cast<double>(plan_.force_data.faces), forces = static_cast<double>(plan_.forces.size());
+  return work + work_of_frame + items * (work_of_point + 45.0 * forces) + work_of_spring * plan_.springs;
+}
+
 bool may_reach(double frames, double points, double springs) {
-  return work_beside_substeps(points, springs, frames) <= share_of_diagnosis * more_work * default_remedy_work;
+  const double work = frames * (work_of_frame + work_of_point * points + work_of_spring * springs);
+  return work <= share_of_diagnosis * more_work * default_remedy_work;
 }
 
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, const RemedyProgress& progress) {

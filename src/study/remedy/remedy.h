@@ -10,16 +10,15 @@
 #include "lab/status.h"
 #include "scene/scene.h"
 #include "scene/step_advice.h"
+#include "sim/control/frame_runner.h"
 
 namespace hooke {
 
 // A setting that was run on a copy and did not diverge.
 struct TestedSetting {
   Advice advice;
-  double seconds = 0.0;                 // [s], simulated with it
-  double duration = 0.0;                // [s], that a simulated second of it takes, by the model of TrialWork
-  std::optional<int> linear_limit;      // of its method [substeps per frame]; none if it has no such limit
-  bool has_recommended_margin = false;  // whether it has the measured margin below that limit
+  double seconds = 0.0;   // [s], simulated with it
+  double duration = 0.0;  // [s], that a simulated second of it takes, by the model of TrialWork
   // That `hooke run` prints with it: about its step, and of the run monitor about the test with it. Only where every setting that does not
   // diverge has some.
   std::vector<std::string> warnings;
@@ -46,6 +45,21 @@ struct Remedy {
   std::optional<double> from;  // [s], of the recorded state that the copies started from; none: the start of the run
   // The edit to which the divergence is due: with what it changed as it was before, a copy ran through for as long as with the advice.
   std::optional<RecentChange> change{};
+};
+
+// The work of stepping a copy of a scene, from counts: the same on every machine.
+class TrialWork {
+ public:
+  // Of the coming frames; they may still change the plan.
+  explicit TrialWork(const Plan& plan) : plan_(plan) {}
+  // [ns], approximately, of what was computed since the last call: of the frame in progress or, at its end, of the rest of it. To be called
+  // after every substep, and with `is_finished` after the frame.
+  double since_last(const FrameRunner& frame, bool is_finished);
+
+ private:
+  const Plan& plan_;
+  double counted_ = 0.0, trials_ = 0.0;  // [ns], of this frame; of the trials of `auto`, in all frames
+  long calls_ = 0;                       // in this frame
 };
 
 // [ns], a limit on the work of all copies of one search, by a fixed model of what it takes: the same on every machine, of which the default

@@ -15,14 +15,6 @@ std::string exceptions(const std::vector<std::string>& warnings) {
   return (warnings.size() == 1 ? ", but there is a warning: " : ", but there are warnings: ") + text;
 }
 
-// Why more substeps than the limit shown below the slider; a step beyond it has a warning of its own.
-std::string margin_text(const TestedSetting& setting) {
-  if (!setting.linear_limit || setting.advice.substeps < *setting.linear_limit) return {};
-  const double ratio = static_cast<double>(setting.advice.substeps) / *setting.linear_limit;
-  return ", " + number_text(ratio, 2) + " times the linear limit of " + std::to_string(*setting.linear_limit) +
-         (setting.has_recommended_margin ? " (a measured margin)" : "") + ",";
-}
-
 std::string duration_text(const TestedSetting& setting) {
   const std::string speed = speed_text(setting);
   return speed.empty() ? "" : "; about " + speed;
@@ -70,11 +62,11 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
   }
   const std::string from = remedy.from ? " from t = " + seconds_text(*remedy.from) : "";
   const TestedSetting& best = *remedy.cheapest;
-  std::string text = cause() + " " + describe(best.advice) + margin_text(best) + " does not diverge (tested for " +
-                     seconds_text(best.seconds) + from + duration_text(best) + ")" + exceptions(best.warnings) + ".";
+  std::string text = cause() + " " + describe(best.advice) + " does not diverge (tested for " + seconds_text(best.seconds) + from +
+                     duration_text(best) + ")" + exceptions(best.warnings) + ".";
   if (const auto& same = remedy.same_method)
-    text += " Nor does " + describe(same->advice) + margin_text(*same) + " (tested for " + seconds_text(same->seconds) +
-            duration_text(*same) + ")" + exceptions(same->warnings) + ".";
+    text += " Nor does " + describe(same->advice) + " (tested for " + seconds_text(same->seconds) + duration_text(*same) + ")" +
+            exceptions(same->warnings) + ".";
   return text;
 }
 

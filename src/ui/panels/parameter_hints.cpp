@@ -131,7 +131,7 @@ void parameter_hint_row(const Parameter& row, const PanelInput& input) {
   using Scope = Parameter::Scope;
   if (&row == &substeps_parameter) return step_remark(*input.status.snapshot);
   if (input.results.forecast == nullptr || input.status.snapshot->system->springs().empty()) return;
-  const bool is_per_family = row.family.has_value();
+  const bool is_per_family = row.springs.family.has_value();
   if ((row.scope == Scope::SpringStiffness && !is_per_family) || row.scope == Scope::PointMass || row.scope == Scope::Gravity)
     sag_remark(*input.results.forecast);
   else if (row.scope == Scope::SpringDamping)

@@ -99,25 +99,13 @@ void PowerWork::begin_frame(const Plan& plan, const Motion& motion, double veloc
   impulses_.impulse.resize(plan.spring.damping.size());
 }
 
-EnergyLedger PowerWork::power_of_springs(const Plan& plan, double time, const Field& x, const Field& v) const {
+EnergyLedger PowerWork::power(const Plan& plan, double time, const Field& x, const Field& v, std::optional<double> of_forces) const {
   EnergyLedger power;
   if (measures_drag_) power.add(EnergyCause::Drag, -2.0 * plan.drag * kinetic_energy(plan, v));
   if (measures_dashpots_ && !sweeps_->has_swept() && !impulses_.replace_power)
     power.add(EnergyCause::Dashpots, -dashpot_power(plan, time, x, v));
   if (has_muscles_) power.add(EnergyCause::Muscles, muscle_power(plan, time, x));
-  return power;
-}
-
-EnergyLedger PowerWork::power(const Plan& plan, double time, const Field& x, const Field& v) const {
-  EnergyLedger power = power_of_springs(plan, time, x, v);
-  power.add(EnergyCause::Forces, power_of_forces(plan, time, x, v));
-  return power;
-}
-
-// Some methods know the power of the listed forces there.
-EnergyLedger PowerWork::power_at_end(const Plan& plan, const Motion& motion) const {
-  EnergyLedger power = power_of_springs(plan, motion.time, motion.x, motion.v);
-  power.add(EnergyCause::Forces, motion.power ? *motion.power : power_of_forces(plan, motion.time, motion.x, motion.v));
+  power.add(EnergyCause::Forces, of_forces ? *of_forces : power_of_forces(plan, time, x, v));
   return power;
 }
 
@@ -147,7 +135,7 @@ void PowerWork::end_step(const Plan& plan, Motion& motion, double h) {
   const bool needs_path = has_muscles_ || measures_drag_ || measures_dashpots_;
   if (motion.power && !needs_path) return end_steps(plan, motion, h);
   const EnergyLedger start = power_;
-  power_ = power_at_end(plan, motion);
+  power_ = power(plan, motion.time, motion.x, motion.v, motion.power);
   is_power_current_ = true;
   if (measures_dashpots_) std::ranges::copy(motion.x, free_x_.begin());
   if (measures_dashpots_ && !sweeps_->has_swept() && plan.has_contact()) find_impulses(plan, motion);
@@ -193,7 +181,7 @@ void PowerWork::limit_to_missing(const Plan& plan, const Motion& motion, const E
 void PowerWork::end_steps(const Plan& plan, Motion& motion, double h) {
   if (!has_power()) return;
   const EnergyLedger start = power_;
-  power_ = power_at_end(plan, motion);
+  power_ = power(plan, motion.time, motion.x, motion.v, motion.power);
   is_power_current_ = true;
   for (const EnergyCause cause : by_power) {
     const bool is_resolved = cause == EnergyCause::Forces || cause == EnergyCause::Muscles || rate_of(plan, cause) * h <= max_resolved_rate;

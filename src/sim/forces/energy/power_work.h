@@ -33,9 +33,8 @@ class PowerWork {
   void forget_power() { is_power_current_ = false; }
 
  private:
-  EnergyLedger power(const Plan& plan, double time, const Field& x, const Field& v) const;
-  EnergyLedger power_of_springs(const Plan& plan, double time, const Field& x, const Field& v) const;
-  EnergyLedger power_at_end(const Plan& plan, const Motion& motion) const;
+  // `of_forces`: that of the listed forces, which some methods know.
+  EnergyLedger power(const Plan& plan, double time, const Field& x, const Field& v, std::optional<double> of_forces = {}) const;
   EnergyLedger displacement_work(const Plan& plan, double h, const Field& end);
   void add_potential_work(const Plan& plan, Motion& motion, double h);
   void limit_to_missing(const Plan& plan, const Motion& motion, const EnergyLedger& unresolved);

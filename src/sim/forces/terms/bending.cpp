@@ -376,7 +376,6 @@ constinit const ForceTerm bending_force{
     .description = "Resists bending between adjacent faces, which are flat at rest, or as built.",
     .numbers = numbers,
     .depends_on_velocity = true,
-    .is_continuous = true,
     .add = add,
     .bound = bound,
     .add_tangent = add_tangent,

@@ -34,8 +34,6 @@ constinit const ForceTerm buoyancy_force{
     .label = "Buoyancy",
     .description = "A constant lift, as a fraction of the weight.",
     .numbers = numbers,
-    .depends_on_velocity = false,
-    .is_continuous = true,
     .add = add,
     .bound = bound,
     .potential = potential,

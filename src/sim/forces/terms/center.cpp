@@ -179,8 +179,6 @@ constinit const ForceTerm center_force{
     .label = "Central attraction",
     .description = "Attracts every point to a center, with an acceleration that falls with a power of the distance.",
     .numbers = numbers,
-    .depends_on_velocity = false,
-    .is_continuous = true,
     .add = add,
     .bound = bound,
     .add_tangent = add_tangent,

@@ -90,7 +90,6 @@ constinit const ForceTerm mass_center_force{
     .description = "Accelerates all points that are not nailed equally so that their center of mass moves to a target.",
     .numbers = numbers,
     .depends_on_velocity = true,
-    .is_continuous = true,
     .add = add,
     .bound = bound,
     .add_tangent = add_tangent,

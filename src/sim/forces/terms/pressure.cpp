@@ -121,12 +121,9 @@ Rows rows_at_rest(const System& system, const EnclosurePlan& plan) {
     }
     // each point once
     double square = 0.0;
-    const auto for_each_corner = [&](const auto& use) {
-      for (Index s = enclosure.begin; s < enclosure.end; ++s)
-        for (int c = 0; c < (is_flat ? 2 : 3); ++c) use(plan.sides[s].points[c]);
-    };
     std::vector<Index> points;
-    for_each_corner([&](Index i) { points.push_back(i); });
+    for (Index s = enclosure.begin; s < enclosure.end; ++s)
+      for (int c = 0; c < (is_flat ? 2 : 3); ++c) points.push_back(plan.sides[s].points[c]);
     std::ranges::sort(points);
     points.erase(std::unique(points.begin(), points.end()), points.end());
     for (const Index i : points) {
@@ -168,8 +165,6 @@ constinit const ForceTerm pressure_force{
     .label = "Pressure of gas",
     .description = "Fills closed surfaces, in flat scenes closed lines, with gas.",
     .numbers = numbers,
-    .depends_on_velocity = false,
-    .is_continuous = true,
     .add = add,
     .bound = bound,
     .add_tangent = add_tangent,

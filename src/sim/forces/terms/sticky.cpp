@@ -37,7 +37,6 @@ constinit const ForceTerm sticky_force{
     .label = "Sticky walls",
     .description = "Holds a point on a plane that it touches until a larger force pulls it off.",
     .numbers = numbers,
-    .depends_on_velocity = false,
     .is_continuous = false,
     .add = add,
     .bound = bound,

@@ -5,11 +5,9 @@
 #include <limits>
 
 #include "sim/forces/force_tangent.h"
-#include "sim/forces/passage.h"
 #include "sim/forces/terms/power_law.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/model/portable_math.h"
-#include "sim/model/settings.h"
 #include "sim/plan/plan.h"
 
 namespace hooke {
@@ -85,48 +83,6 @@ double potential(const Plan& plan, const ForceValues& values, double time, const
   return energy;
 }
 
-// Of a unit mass at the least distance, onto an attracting plane from the distance r.
-Passage fall_onto(const Plane& plane, double restitution, const ForceValues& values, const PassingPoint& point) {
-  const double strength = -values[0], power = values[1], core = values[2];
-  const double r = std::max(core, glm::dot(plane.normal, point.position - plane.point) - point.radius);
-  const double far = 0.5 * glm::dot(point.velocity, point.velocity) + point.elastic + point.gravity * r;
-  const double potential = power_law_potential(power, core, r), at_core = strength * portable::pow(core, -power);
-  const auto speed_at = [&](double distance) {
-    return std::sqrt(2.0 * (far + strength * (potential - power_law_potential(power, core, distance))));
-  };
-  // as long as it takes at the speed that it reaches at half the distance
-  const double near = std::max(0.5 * r, core);
-  if (r > near && (r - near) > point.within * speed_at(near)) return {};
-  const double at_surface = speed_at(core), speed = std::sqrt(at_surface * at_surface + 2.0 * at_core * core);
-  // what the impact takes does not lead away from the plane again, and what it leaves decides about the motion where it is more
-  const double kept = restitution * restitution, there = 0.5 * speed * speed;
-  const double scale = far + strength * portable::pow(r, 1.0 - power) + (1.0 - kept) * there;
-  if (!(kept * there > scale)) return {};
-  return {.speed = speed, .length = core, .acceleration = at_core, .energy = scale / kept, .exponent = 2.0, .at_plane = true};
-}
-
-// A repulsion keeps points away from where it is strongest.
-Passage passage(const ForceValues& values, const PassingPoint& point) {
-  Passage shortest;
-  if (!(values[0] < 0.0) || values[1] == 0.0) return shortest;
-  double step = std::numeric_limits<double>::infinity();
-  for (const Collider& collider : point.system.colliders) {
-    const auto* given = std::get_if<Plane>(&collider.shape);
-    if (given == nullptr || !collider.solid) continue;
-    Plane plane = *given;
-    if (point.system.dimensions == 2) plane.normal.z = plane.point.z = 0.0;
-    const double length = glm::length(plane.normal);
-    if (length == 0.0) continue;
-    plane.normal /= length;
-    const Passage fall = fall_onto(plane, collider.restitution, values, point);
-    if (const double longest = fall.longest_step(2, false); longest < step) {
-      step = longest;
-      shortest = fall;
-    }
-  }
-  return shortest;
-}
-
 }  // namespace
 
 constinit const ForceTerm wall_force{
@@ -135,8 +91,6 @@ constinit const ForceTerm wall_force{
     .label = "Wall repulsion",
     .description = "Repels every point from every plane, with an acceleration that falls with a power of the distance.",
     .numbers = numbers,
-    .depends_on_velocity = false,
-    .is_continuous = true,
     .add = add,
     .bound = bound,
     .add_tangent = add_tangent,
@@ -145,7 +99,6 @@ constinit const ForceTerm wall_force{
         [](const Plan& plan, const ForceValues& values) {
           return cost_of_power_law(values[1], static_cast<double>(plan.colliders.size() + plan.one_way.size()));
         },
-    .passage = passage,
 };
 
 }  // namespace hooke

@@ -55,14 +55,6 @@ Vec3 wind_at(const Plan& plan, const ForceValues& values, double time) {
 
 namespace {
 
-// The flow of air past a face: its normal speed and tangential velocity.
-struct Flow {
-  double area;  // [m^2]
-  Vec3 normal;
-  double across;  // [m/s]
-  Vec3 along;     // [m/s]
-};
-
 std::span<const Index> corners_of(const Panel<Index>& panel) { return {panel.data(), panel[3] == no_index ? 3u : 4u}; }
 
 // Of a quad, the cross product of its diagonals: the sum of those of both halves, whatever the diagonal.
@@ -74,17 +66,6 @@ Vec3 twice_area_of(const Plan& plan, const Panel<Index>& panel, const double* x)
 Vec3 mean_velocity(const Plan& plan, const Panel<Index>& panel, const double* v) {
   const Vec3 sum = vector_at(plan, v, panel[0]) + vector_at(plan, v, panel[1]) + vector_at(plan, v, panel[2]);
   return panel[3] == no_index ? 1.0 / 3.0 * sum : 0.25 * (sum + vector_at(plan, v, panel[3]));
-}
-
-// For a panel that is not degenerate.
-template <class Use>
-void use_flow(const Plan& plan, const Panel<Index>& panel, const Vec3& wind, const double* x, const double* v, const Use& use) {
-  const Vec3 twice_area = twice_area_of(plan, panel, x);
-  const double length = glm::length(twice_area);
-  if (length == 0.0) return;
-  const Vec3 normal = twice_area / length, past = wind - mean_velocity(plan, panel, v);
-  const double across = glm::dot(past, normal);
-  use(Flow{0.5 * length, normal, across, past - across * normal});
 }
 
 // The force on each of the n corners. With N of twice the area, q = u.N / N.N and u_t = u - q N:
@@ -225,13 +206,17 @@ ForceBound bound(const System& system, const Plan&, const ForceValues& values, d
 // and D / n of the whole, so that iterations converge for any step.
 void add_tangent(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, ForceTangent& tangent) {
   const Vec3 wind = wind_at(plan, values, time);
-  for (const Panel<Index>& panel : plan.force_data.panels)
-    use_flow(plan, panel, wind, x, v, [&](const Flow& flow) {
-      const auto corners = corners_of(panel);
-      const double fraction = flow.area / static_cast<double>(corners.size()), axial = fraction * values[3] * std::abs(flow.across),
-                   transverse = fraction * values[4] * glm::length(flow.along);
-      for (const Index corner : corners) tangent.add_damping(corner, flow.normal, axial, transverse);
-    });
+  for (const Panel<Index>& panel : plan.force_data.panels) {
+    const Vec3 twice_area = twice_area_of(plan, panel, x), past = wind - mean_velocity(plan, panel, v);
+    const double length = glm::length(twice_area);
+    if (length == 0.0) continue;
+    const Vec3 normal = twice_area / length;
+    const double across = glm::dot(past, normal);
+    const auto corners = corners_of(panel);
+    const double fraction = 0.5 * length / static_cast<double>(corners.size()), axial = fraction * values[3] * std::abs(across),
+                 transverse = fraction * values[4] * glm::length(past - across * normal);
+    for (const Index corner : corners) tangent.add_damping(corner, normal, axial, transverse);
+  }
   if (!plan.force_data.panels.empty()) return;
 
   for (Index i = 0; i < plan.points; ++i) {
@@ -268,7 +253,6 @@ constinit const ForceTerm wind_force{
     .description = "Moving air that exerts normal and tangential forces on the faces, with gusts.",
     .numbers = numbers,
     .depends_on_velocity = true,
-    .is_continuous = true,
     .add = add,
     .bound = bound,
     .add_tangent = add_tangent,
