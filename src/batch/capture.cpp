@@ -1,23 +1,13 @@
 #include "batch/capture.h"
 
 #include <cmath>
-#include <condition_variable>
-#include <deque>
-#include <exception>
-#include <memory>
-#include <mutex>
-#include <optional>
-#include <thread>
-#include <utility>
 
 #include "base/formatted.h"
 #include "base/option_error.h"
-#include "batch/capture_options.h"
 #include "batch/capture_report.h"
 #include "batch/offscreen.h"
-#include "batch/output_file.h"
+#include "batch/picture_writer.h"
 #include "batch/run_frames.h"
-#include "draw/film/film_encoder.h"
 #include "draw/view.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "lab/crossing_finder.h"
@@ -26,113 +16,6 @@
 
 namespace hooke {
 namespace {
-
-// Encodes and writes the pictures of a capture in a thread of its own, beside stepping and drawing.
-class PictureWriter {
- public:
-  // A film starts with its encoder, and throws FileError if that cannot be started.
-  PictureWriter(const Destination& destination, const PictureSize& size, double video_frame_rate);
-  ~PictureWriter();  // waits until numbered pictures are written, whatever their errors; deletes a film that is not finished
-  PictureWriter(const PictureWriter&) = delete;
-  PictureWriter& operator=(const PictureWriter&) = delete;
-
-  // Pictures are written in the order in which they are added. Waits where too many are waiting. Throws the error of an earlier picture,
-  // after which none is written.
-  void add(Image picture, long number);
-  // Waits until everything is written. Throws FileError.
-  void finish();
-
- private:
-  struct QueuedPicture {
-    Image picture;
-    long number;
-  };
-  void work();
-  std::optional<QueuedPicture> next();
-  void write(const QueuedPicture& queued);
-  void end();
-
-  // They even out pictures that take longer than others; one of them can have 200 MB.
-  static constexpr std::size_t max_waiting = 2;
-
-  Destination destination_;
-  std::unique_ptr<FilmEncoder> film_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<QueuedPicture> queue_;
-  bool ended_ = false;
-  std::exception_ptr error_;
-  std::thread thread_;  // last: it uses the rest
-};
-
-PictureWriter::PictureWriter(const Destination& destination, const PictureSize& size, double video_frame_rate) : destination_(destination) {
-  if (destination.kind == Destination::Kind::Film)
-    film_ = find_film_format(destination.path)(destination.path, size.width, size.height, video_frame_rate);
-  thread_ = std::thread([this] { work(); });
-}
-
-PictureWriter::~PictureWriter() {
-  if (!thread_.joinable()) return;
-  if (film_) film_->abort();
-  end();
-}
-
-void PictureWriter::add(Image picture, long number) {
-  {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return error_ || queue_.size() < max_waiting; });
-    if (error_) std::rethrow_exception(error_);
-    queue_.push_back({std::move(picture), number});
-  }
-  changed_.notify_all();
-}
-
-void PictureWriter::finish() {
-  end();
-  if (error_) std::rethrow_exception(error_);
-  if (film_) film_->close();
-}
-
-// There are no more pictures.
-void PictureWriter::end() {
-  {
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
-
-void PictureWriter::work() {
-  try {
-    while (const auto queued = next()) write(*queued);
-  } catch (...) {
-    const std::lock_guard lock(mutex_);
-    error_ = std::current_exception();
-  }
-  changed_.notify_all();
-}
-
-// None: everything is written.
-std::optional<PictureWriter::QueuedPicture> PictureWriter::next() {
-  std::optional<QueuedPicture> queued;
-  {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return ended_ || !queue_.empty(); });
-    if (queue_.empty()) return std::nullopt;
-    queued = std::move(queue_.front());
-    queue_.pop_front();
-  }
-  changed_.notify_all();
-  return queued;
-}
-
-void PictureWriter::write(const QueuedPicture& queued) {
-  if (film_) return film_->add(queued.picture, 1);
-  OutputFile file(destination_.file(queued.number).string(), Writing::OneOfMany);
-  file.write(encode_png(queued.picture));
-  file.close();
-}
 
 // Draws frames of the laboratory and writes them to the destination.
 class FrameCapture {

@@ -309,7 +309,10 @@ py::object value_of(const Scene& scene, const Parameter& parameter) {
   return py::float_(value);
 }
 
-void bind_scene(py::module_& module) {
+namespace {
+
+// Arrays with a value for each point or spring.
+void bind_columns(py::class_<NamedScene>& scene_class) {
   using P = PointProperty;
   using S = SpringProperty;
   const auto point_column = [](auto member) {
@@ -332,8 +335,32 @@ void bind_scene(py::module_& module) {
       set_all(scene, SetSpringProperty{.property = property, .values = {}}, springs_of(scene), name, not_negative, array);
     };
   };
-  py::class_<NamedScene>(module, "Scene")
-      .def_static("load", &load)
+  scene_class.def_property("loads", &point_loads, &set_loads)
+      .def_property("fixed", &fixed_axes_of, &set_fixed_axes)
+      .def_property("masses", point_column(&Point::mass), point_setter(P::Mass, "masses", positive))
+      .def_property("radii", point_column(&Point::radius), point_setter(P::Radius, "radii", not_negative))
+      .def_property("stiffness", spring_column(&Spring::stiffness), spring_setter(S::Stiffness, "stiffness"))
+      .def_property("damping", spring_column(&Spring::damping), spring_setter(S::Damping, "damping"))
+      .def_property("rest_length", spring_column(&Spring::rest_length), spring_setter(S::RestLength, "rest_length"))
+      .def_property("laws", &laws_of, &set_laws)
+      .def_property_readonly("springs",
+                             [](const NamedScene& scene) {
+                               return numbers_of(scene.scene().system, springs_of(scene), 2, [](const Spring& spring) {
+                                 return std::array{spring.first, spring.second};
+                               });
+                             })
+      .def_property_readonly("faces", [](const NamedScene& scene) {
+        const System& system = scene.scene().system;
+        return numbers_of(system, system.faces, 3, [](const Face& face) { return face.points; });
+      });
+}
+
+}  // namespace
+
+void bind_scene(py::module_& module) {
+  py::class_<NamedScene> scene(module, "Scene");
+  bind_columns(scene);
+  scene.def_static("load", &load)
       .def_static("parse", &parse)
       .def("copy", [](const NamedScene& scene) { return scene; })
       .def("with_options", &with_options)
@@ -371,25 +398,7 @@ void bind_scene(py::module_& module) {
       .def_property(
           "nailed",
           [](const NamedScene& scene) { return column<Point, bool>(points_of(scene), [](const Point& point) { return point.nailed; }); },
-          &set_nailed)
-      .def_property("loads", &point_loads, &set_loads)
-      .def_property("fixed", &fixed_axes_of, &set_fixed_axes)
-      .def_property("masses", point_column(&Point::mass), point_setter(P::Mass, "masses", positive))
-      .def_property("radii", point_column(&Point::radius), point_setter(P::Radius, "radii", not_negative))
-      .def_property("stiffness", spring_column(&Spring::stiffness), spring_setter(S::Stiffness, "stiffness"))
-      .def_property("damping", spring_column(&Spring::damping), spring_setter(S::Damping, "damping"))
-      .def_property("rest_length", spring_column(&Spring::rest_length), spring_setter(S::RestLength, "rest_length"))
-      .def_property("laws", &laws_of, &set_laws)
-      .def_property_readonly("springs",
-                             [](const NamedScene& scene) {
-                               return numbers_of(scene.scene().system, springs_of(scene), 2, [](const Spring& spring) {
-                                 return std::array{spring.first, spring.second};
-                               });
-                             })
-      .def_property_readonly("faces", [](const NamedScene& scene) {
-        const System& system = scene.scene().system;
-        return numbers_of(system, system.faces, 3, [](const Face& face) { return face.points; });
-      });
+          &set_nailed);
 }
 
 }  // namespace hooke::python
