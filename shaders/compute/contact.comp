@@ -190,7 +190,7 @@ bool solve_resting(int c, real h, real radius, Free path, out real3 x, out real3
 }
 
 // The path of the point: a parabola from `time` on, with the correction of the method's path in v.
-real3 px, pv, pa, correction, free_acceleration;
+real3 px, pv, pa, correction, free_correction, free_acceleration;
 real path_time, base, left, velocity_change, radius_of_point;  // base: of path times, since the start of the substep
 bool is_changed, is_listed;
 real3 velocity;  // that impulses change
@@ -380,6 +380,17 @@ bool find_resting() {
   return any;
 }
 
+// What leaves a ball ends as in a flight: otherwise the correction of the next step leads back onto it.
+void leave_balls() {
+  bool on_ball = false, is_loaded = false;
+  for (int c = 0; c < COLLIDERS; ++c) {
+    if (!touches[c].is_at_rest) continue;
+    on_ball = on_ball || touches[c].curvature > 0.0;
+    is_loaded = is_loaded || touches[c].impulse > 0.0;
+  }
+  if (dot(free_correction, pa) > 0.0 && on_ball && !is_loaded) correction = free_correction;
+}
+
 // What presses on a ball moves on to its surface, and along it.
 void follow_balls(real t) {
   for (int c = 0; c < COLLIDERS; ++c) {
@@ -474,6 +485,7 @@ void simulate(real h, Free path) {
   pa = free_acceleration = change / h;
   correction = (path.x1 - path.x0) / h - path.v0 - 0.5 * change;
   if (substeps.z != 0.0 && norm(correction) <= 4.0 * epsilon * norm(path.x0) / h) correction = real3(0.0);
+  free_correction = correction;
   pv = path.v0 + correction;
   velocity_change = norm(change);
   path_time = base = 0.0;
@@ -484,6 +496,7 @@ void simulate(real h, Free path) {
   for (int impacts = 0;; ++impacts) {
     is_listed = false;
     if (find_resting()) rest();
+    leave_balls();
     int earliest = -1;
     for (int c = 0; c < COLLIDERS; ++c) {
       predict(c);

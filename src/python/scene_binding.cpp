@@ -254,6 +254,48 @@ auto parse_item(const char* owner, const std::string& name, const std::string& v
   }
 }
 
+// Arrays with a value for each point or spring.
+void bind_columns(py::class_<NamedScene>& scene_class) {
+  const auto point_column = [](auto member) {
+    return [member](const NamedScene& scene) {
+      return column<Point, double>(points_of(scene), [member](const Point& point) { return point.*member; });
+    };
+  };
+  const auto spring_column = [](auto member) {
+    return [member](const NamedScene& scene) {
+      return column<Spring, double>(springs_of(scene), [member](const Spring& spring) { return spring.*member; });
+    };
+  };
+  const auto point_setter = [](PointProperty property, const char* name, Bounds bounds) {
+    return [=](NamedScene& scene, const Doubles& array) {
+      set_all(scene, SetPointProperty{.property = property, .values = {}}, points_of(scene), name, bounds, array);
+    };
+  };
+  const auto spring_setter = [](SpringProperty property, const char* name) {
+    return [=](NamedScene& scene, const Doubles& array) {
+      set_all(scene, SetSpringProperty{.property = property, .values = {}}, springs_of(scene), name, not_negative, array);
+    };
+  };
+  scene_class.def_property("loads", &point_loads, &set_loads)
+      .def_property("fixed", &fixed_axes_of, &set_fixed_axes)
+      .def_property("masses", point_column(&Point::mass), point_setter(PointProperty::Mass, "masses", positive))
+      .def_property("radii", point_column(&Point::radius), point_setter(PointProperty::Radius, "radii", not_negative))
+      .def_property("stiffness", spring_column(&Spring::stiffness), spring_setter(SpringProperty::Stiffness, "stiffness"))
+      .def_property("damping", spring_column(&Spring::damping), spring_setter(SpringProperty::Damping, "damping"))
+      .def_property("rest_length", spring_column(&Spring::rest_length), spring_setter(SpringProperty::RestLength, "rest_length"))
+      .def_property("laws", &laws_of, &set_laws)
+      .def_property_readonly("springs",
+                             [](const NamedScene& scene) {
+                               return numbers_of(scene.scene().system, springs_of(scene), 2, [](const Spring& spring) {
+                                 return std::array{spring.first, spring.second};
+                               });
+                             })
+      .def_property_readonly("faces", [](const NamedScene& scene) {
+        const System& system = scene.scene().system;
+        return numbers_of(system, system.faces, 3, [](const Face& face) { return face.points; });
+      });
+}
+
 }  // namespace
 
 ImportOptions to_import_options(const std::map<std::string, std::string>& texts) {
@@ -308,54 +350,6 @@ py::object value_of(const Scene& scene, const Parameter& parameter) {
   }
   return py::float_(value);
 }
-
-namespace {
-
-// Arrays with a value for each point or spring.
-void bind_columns(py::class_<NamedScene>& scene_class) {
-  using P = PointProperty;
-  using S = SpringProperty;
-  const auto point_column = [](auto member) {
-    return [member](const NamedScene& scene) {
-      return column<Point, double>(points_of(scene), [member](const Point& point) { return point.*member; });
-    };
-  };
-  const auto spring_column = [](auto member) {
-    return [member](const NamedScene& scene) {
-      return column<Spring, double>(springs_of(scene), [member](const Spring& spring) { return spring.*member; });
-    };
-  };
-  const auto point_setter = [](P property, const char* name, Bounds bounds) {
-    return [=](NamedScene& scene, const Doubles& array) {
-      set_all(scene, SetPointProperty{.property = property, .values = {}}, points_of(scene), name, bounds, array);
-    };
-  };
-  const auto spring_setter = [](S property, const char* name) {
-    return [=](NamedScene& scene, const Doubles& array) {
-      set_all(scene, SetSpringProperty{.property = property, .values = {}}, springs_of(scene), name, not_negative, array);
-    };
-  };
-  scene_class.def_property("loads", &point_loads, &set_loads)
-      .def_property("fixed", &fixed_axes_of, &set_fixed_axes)
-      .def_property("masses", point_column(&Point::mass), point_setter(P::Mass, "masses", positive))
-      .def_property("radii", point_column(&Point::radius), point_setter(P::Radius, "radii", not_negative))
-      .def_property("stiffness", spring_column(&Spring::stiffness), spring_setter(S::Stiffness, "stiffness"))
-      .def_property("damping", spring_column(&Spring::damping), spring_setter(S::Damping, "damping"))
-      .def_property("rest_length", spring_column(&Spring::rest_length), spring_setter(S::RestLength, "rest_length"))
-      .def_property("laws", &laws_of, &set_laws)
-      .def_property_readonly("springs",
-                             [](const NamedScene& scene) {
-                               return numbers_of(scene.scene().system, springs_of(scene), 2, [](const Spring& spring) {
-                                 return std::array{spring.first, spring.second};
-                               });
-                             })
-      .def_property_readonly("faces", [](const NamedScene& scene) {
-        const System& system = scene.scene().system;
-        return numbers_of(system, system.faces, 3, [](const Face& face) { return face.points; });
-      });
-}
-
-}  // namespace
 
 void bind_scene(py::module_& module) {
   py::class_<NamedScene> scene(module, "Scene");

@@ -33,7 +33,7 @@ double budget() {
 std::vector<std::string> read_all(const std::filesystem::path& folder, std::uintmax_t max_bytes) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.file_size() <= max_bytes) files.push_back(entry.path());
+    if (entry.is_regular_file() && entry.file_size() <= max_bytes) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::vector<std::string> texts;
   for (const auto& file : files) {

@@ -63,6 +63,8 @@ constexpr KeysAround all_keys_around[] = {
     {Action::LargerPanels, "", "ctrl+minus"},
     {Action::SmallerPanels, "", "ctrl+equal"},
     {Action::SwitchMuscles, "", "u"},
+    {Action::SwitchDevice, "", "ctrl+shift+u"},
+    {Action::ShowTimes, "", "ctrl+shift+h"},
     {Action::OpenMenus, "", "Escape"},
     {Action::ShowPlots, "", "p"},
     {Action::ShowAccuracy, "", "m"},

@@ -50,6 +50,15 @@ void TouchSimulation::leave_corrections() {
   }
 }
 
+// What leaves a ball ends as in a flight: otherwise the correction of the next step, along the acceleration, leads back onto it.
+void TouchSimulation::leave_balls() {
+  PointPath& path = paths.front();
+  const auto is_loaded = [&](std::size_t k) { return touches[k].law.impulse.normal > 0.0; };
+  const auto is_on_ball = [&](std::size_t k) { return touches[k].curvature > 0.0; };
+  if (glm::dot(path.free_correction, path.a) > 0.0 && std::ranges::any_of(active_, is_on_ball) && std::ranges::none_of(active_, is_loaded))
+    path.velocity_correction = path.free_correction;
+}
+
 // What presses on a ball moves on to its surface, and along it.
 void TouchSimulation::follow_balls() {
   for (const std::size_t k : active_) {

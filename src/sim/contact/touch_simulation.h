@@ -26,6 +26,7 @@ struct PointPath {
   double time = 0.0;              // [s], since the start of the substep
   Vec3 x{0.0}, v{0.0}, a{0.0};    // [m], [m/s], [m/s^2]
   Vec3 velocity_correction{0.0};  // [m/s], of the method's path, contained in v (contact.cpp)
+  Vec3 free_correction{0.0};      // [m/s], of that path without contact
   Vec3 free_acceleration{0.0};    // [m/s^2], without contact
   double velocity_change = 0.0;   // [m/s], of the whole substep without contact
   // [m/s^2], by which a sticky plane holds it after an impact without a rebound (forces/terms/sticking.h); 0: it does not
@@ -152,6 +153,7 @@ class TouchSimulation {
   void solve_impulses(std::span<const std::size_t> together, double tolerance, std::span<Vec3> v);
   void solve_velocities(std::optional<double> time, double tolerance);
   void leave_corrections();
+  void leave_balls();
   void follow_balls();
   void recall_loads();
   void separate(double tolerance);

@@ -335,7 +335,7 @@ double TrialWork::since_last(const FrameRunner& frame, bool is_finished) {
 
 bool may_reach(double frames, double points, double springs) {
   const double work = frames * (work_of_frame + work_of_point * points + work_of_spring * springs);
-  return work <= share_of_diagnosis * more_work * default_remedy_work;
+  return work <= share_of_diagnosis * default_remedy_work;
 }
 
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, const RemedyProgress& progress) {
