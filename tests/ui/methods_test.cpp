@@ -108,7 +108,7 @@ TEST(Comparison, TheFastestStableMethodIsOneCommand) {
 
 TEST(Times, AreShownByPhaseWithTheirHistory) {
   GuiFixture gui(two_springs());
-  gui.key(letter('U'), {.control = true, .shift = true});
+  gui.key(letter('H'), {.control = true, .shift = true});
   gui.key(Key::Space);
   gui.frames(20);
   const std::string words = gui.text();

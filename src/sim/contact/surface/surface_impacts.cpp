@@ -14,10 +14,11 @@ namespace {
 // Passes with joined points: each joins at least two.
 constexpr int max_passes = 1000;
 
-// Distances on paths in a substep, for a surface of so many points, that any usual motion takes; and at most beyond them in a frame, in
-// seconds. A motion that diverges, so that each point crosses the whole scene in a substep, takes a thousand for each pair.
+// Distances on paths in a substep, for a surface of so many points: those that any usual motion takes, and at most, in a tenth of a second;
+// and beyond the former in a frame, in seconds. A motion that diverges, so that each point crosses the whole scene in a substep, takes a
+// thousand for each pair.
 long usual_distances(std::size_t points) { return 100 * static_cast<long>(points); }
-constexpr long max_excess = 20'000'000;
+constexpr long max_distances = 5'000'000, max_excess = 40'000'000;
 
 }  // namespace
 
@@ -40,7 +41,7 @@ bool SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detectio
         respond(pair, inverse_mass, x, part * h, held, u), hits = true;
       else
         hits = join(pair.points, inverse_mass, u) || hits;
-      has_failed_ = excess_ + distances_ > max_excess + usual;
+      has_failed_ = distances_ > max_distances + usual || excess_ + distances_ > max_excess + usual;
     }
     any = any || hits;
     if (has_failed_ || !hits) break;
