@@ -190,8 +190,8 @@ TEST(Headless, OnlyTheSelectedMethodAndStepAreWarnedAbout) {
   EXPECT_EQ(headless({"run", "unstable", "--seconds", "0", "--integrator", "symplectic_euler", "--json", "-"}).err, "");
 }
 
-// 50 points in one place that fall into a center for 35 s: copies of the whole run take more than the work limit of the search.
-TEST(Headless, ARunThatDivergesLateIsExplainedFromALaterState) {
+// 50 points in one place that fall into a center for 35 s: copies of the whole run take much of the work limit of the search.
+TEST(Headless, ARunThatDivergesLateIsExplained) {
   const ScratchFolder scratch;
   std::string points;
   for (int i = 0; i < 50; ++i) points += std::string(i == 0 ? "" : ", ") + R"({"position": [10, 0, 0], "mass": 1})";
@@ -202,7 +202,6 @@ TEST(Headless, ARunThatDivergesLateIsExplainedFromALaterState) {
   EXPECT_EQ(outcome.code, 4);
   EXPECT_EQ(outcome.err.find("do not diverge"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find(" does not diverge (tested for "), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find(" from t = 34 s)"), std::string::npos) << outcome.err;
 }
 
 // A spring of which implicit Euler dissipates the vibration.

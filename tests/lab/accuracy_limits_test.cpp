@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formats/scene_file.h"
 #include "sim/methods/integrator.h"
 #include "sim/step/divergence.h"
 #include "support/force_with.h"
@@ -14,22 +13,6 @@
 
 namespace hooke {
 namespace {
-
-// Balls that rub against each other: an adaptive method needs thousands of times as many evaluations for a smaller tolerance.
-TEST(AccuracyMeter, GivesAReasonInsteadOfMeasuringWhatTakesThousandsOfTimesAsLong) {
-  Scene scene = load_scene(find_scene("marbles")).scene;
-  scene.settings.integrator = find_integrator("dop853");
-  scene.settings.tolerance.reset();
-  for (const AccuracyMode mode : {AccuracyMode::Frame, AccuracyMode::Full}) {
-    Lab lab = measured_lab(scene, mode);
-    for (int frame = 0; frame < 60; ++frame) ASSERT_TRUE(lab.step());
-    const Accuracy accuracy = lab.accuracy();
-    EXPECT_EQ(accuracy.frame.reason, "with half the step, or a smaller tolerance, this frame fails or takes too long");
-    EXPECT_FALSE(accuracy.accumulated.value);
-    EXPECT_EQ(accuracy.half_error.substeps, 0);
-    EXPECT_EQ(accuracy.half_error.reason, "contact and the strain limit hardly depend on the tolerance");
-  }
-}
 
 // A point falls until its spring may not become longer, once per substep: the tolerance of an adaptive method does not apply to that.
 TEST(AccuracyMeter, AStrainLimitIsPartOfTheErrorOfEveryMethod) {
