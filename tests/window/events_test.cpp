@@ -99,9 +99,10 @@ class KeyFixture {
   void restore(const Shortcut& row) {
     if (const std::string keys = keys_around(row.action).after; !keys.empty()) press(keys);
   }
-  // Another document is open, or the camera has moved away from the point.
+  // Another document is open, the camera has moved away from the point, or methods are being compared.
   void restart_if_needed(const Shortcut& row) {
-    const bool needed = row.action == Action::FrameAll || row.action == Action::NewFlatScene || row.action == Action::NewSpatialScene;
+    const bool needed = row.action == Action::FrameAll || row.action == Action::NewFlatScene || row.action == Action::NewSpatialScene ||
+                        row.action == Action::FastestStable;
     if (needed) start();
   }
   fs::path output() const { return desktop.folder() / "output"; }
