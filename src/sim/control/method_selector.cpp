@@ -30,7 +30,7 @@ std::optional<int> min_automatic_substeps(const StepLimits& limits, const Integr
   // contact takes the path of a step for a parabola, which that of a method with many stages need not be
   if (spectrum.contact && method.order > control::parabolic_order) rate = std::max(rate, spectrum.omega);
   const double resolving = std::ceil(rate / frame_rate);
-  if (!(std::max<double>(*min, resolving) <= max_automatic_substeps / 4)) return std::nullopt;
+  if (!(std::max<double>(*min, resolving) <= max_automatic_substeps / 4.0)) return std::nullopt;
   return std::max(*min, static_cast<int>(resolving));
 }
 

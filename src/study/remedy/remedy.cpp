@@ -255,7 +255,7 @@ class SettingSearch {
     scene.settings.substeps = advice.substeps;
     if (advice.integrator->stability != Stability::Adaptive) scene.settings.tolerance.reset();
     Budget budget{allowed, budget_.stop};
-    const Trial trial = run_copy(std::move(scene), seconds_, budget);
+    Trial trial = run_copy(std::move(scene), seconds_, budget);
     budget_.left -= allowed - std::max(0.0, budget.left);
     ++remedy_.settings_tried;
     return trial;
@@ -339,7 +339,7 @@ bool may_reach(double frames, double points, double springs) {
 }
 
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, const RemedyProgress& progress) {
-  const Remedy remedy = search(start, seconds, stop, max_work, false, progress);
+  Remedy remedy = search(start, seconds, stop, max_work, false, progress);
   const bool is_cut_short = remedy.cause == Remedy::Cause::SearchLimit || remedy.settings_cut_short > 0;
   if (remedy.cheapest || !is_cut_short || stop) return remedy;
   return search(start, seconds, stop, more_work * max_work, true, progress);

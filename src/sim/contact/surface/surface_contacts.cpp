@@ -117,17 +117,14 @@ void SurfaceContacts::add(const Step& step, SurfaceContact& contact) {
 void SurfaceContacts::sweep(const Step& step, std::span<SurfaceContact> contacts, std::span<Vec3> velocity) {
   const int count = last_h_ > 0.0 ? contact::sweeps : contact::first_sweeps;
   const std::size_t features = count_features(contacts);
-  const auto solve_all = [&](auto&& some) {
-    for (SurfaceContact& contact : some)
-      if (const Vec3 impulse = contact.law.solve(contact.relative(velocity)); impulse != Vec3(0.0))
-        contact.apply(impulse, step.inverse_mass, velocity);
+  const auto solve = [&](SurfaceContact& contact) {
+    if (const Vec3 impulse = contact.law.solve(contact.relative(velocity)); impulse != Vec3(0.0))
+      contact.apply(impulse, step.inverse_mass, velocity);
   };
+  // forward and backward in turn
   for (int sweep = 0; sweep < count; ++sweep) {
-    if (sweep % 2 == 0)
-      solve_all(contacts.first(features));
-    else
-      solve_all(contacts.first(features) | std::views::reverse);
-    solve_all(contacts.subspan(features));
+    for (std::size_t k = 0; k < features; ++k) solve(contacts[sweep % 2 == 0 ? k : features - 1 - k]);
+    for (SurfaceContact& obstacle : contacts.subspan(features)) solve(obstacle);
   }
   impulses += count * static_cast<long>(features);
 }
