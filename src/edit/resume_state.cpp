@@ -77,7 +77,7 @@ void restore_ids(const ResumeState& rest, Scene& scene) {
   }
   system.set_springs({});
   system.set_points(std::move(points));
-  system.set_springs(std::move(springs));
+  system.set_springs(springs);
   while (system.next_point_id() < rest.next_point_id) system.new_point_id();
   while (system.next_spring_id() < rest.next_spring_id) system.new_spring_id();
 }

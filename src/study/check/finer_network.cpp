@@ -347,7 +347,7 @@ class NetworkRefinement {
     result.system.faces = finer_faces();
     result.system.set_springs({});
     result.system.set_points(std::move(points_));
-    result.system.set_springs(std::move(springs_));
+    result.system.set_springs(springs_);
     result.state = state_;
     result.state.position = std::move(position_);
     result.state.velocity = std::move(velocity_);
