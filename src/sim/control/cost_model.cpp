@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/control/constants.h"
+#include "sim/methods/integrator.h"
 
 namespace hooke {
 namespace {

@@ -17,6 +17,8 @@ void compute_unlisted_forces(const Plan& plan, double time, const Field& x, cons
 // f [N] of gravity, drag * wind and the listed forces: external to the network, for methods that treat springs and the hand's
 // pull as constraints.
 void compute_external_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
+// The same, and returns the power [W] of add_force_terms_with_power.
+double compute_external_forces_with_power(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
 // Whether anything but gravity and the springs of grids acts.
 bool has_forces_outside_grids(const Plan& plan);
