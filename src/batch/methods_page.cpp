@@ -80,7 +80,7 @@ void add_summary(std::string& text) {
   for (const Integrator& method : integrators()) {
     text += "| [`" + std::string(method.id) + "`](#" + std::string(method.id) + ") | " + limit_of(method, {.omega = 1.0}, "omega") + " | " +
             limit_of(method, {.dashpot_rate = 1.0}, "lambda") + " | " + std::string(describe(method.energy)) +
-            (method.symplectic ? "; symplectic" : "") + " |\n";
+            (method.is_symplectic() ? "; symplectic" : "") + " |\n";
   }
 }
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "device/constants.h"
-#include "sim/forces/break_spring.h"
+#include "sim/forces/spring_limits.h"
 #include "sim/methods/rows.h"
 
 namespace hooke {

@@ -138,7 +138,8 @@ std::vector<double> frame_numbers(const Plan& plan, const FrameSteps& steps) {
     for (int p = 0; p < plan.hand.pull->count; ++p) weights[p] = plan.hand.pull->parts[p].weight;
   append(numbers, weights, plan.hand.pull ? plan.hand.pull->stiffness : 0.0);
   append(numbers, plan.forces.empty() ? Vec3(0.0) : Vec3(plan.forces[0].values[3], plan.forces[0].values[4], 0.0));
-  append(numbers, {steps.h, steps.method.symplectic ? steps.method.velocity_lag : 0.0, std::isfinite(plan.collider_paths.resolving_step)});
+  append(numbers,
+         {steps.h, steps.method.is_symplectic() ? steps.method.velocity_lag : 0.0, std::isfinite(plan.collider_paths.resolving_step)});
   const Kick<double> whole = kick_over(plan.drag, steps.h), half = kick_over(plan.drag, 0.5 * steps.h);
   for (const auto& [kick, drift] : {std::pair{whole, steps.h}, std::pair{half, steps.h}, std::pair{half, 0.0}}) {
     append(numbers, {kick.decay, kick.weight, drift}, half.decay);

@@ -1,7 +1,6 @@
 #include "edit/arrange.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
 #include <span>

@@ -57,7 +57,7 @@ bool has_muscles(const Scene& scene) {
 }
 
 bool has_automatic_method(const Scene& scene) { return is_automatic(scene.settings); }
-bool has_iterations(const Scene& scene) { return scene.settings.integrator->iterates; }
+bool has_iterations(const Scene& scene) { return scene.settings.integrator->iterates(); }
 
 // Rows are formatted as a table, so clang-format is off.
 // clang-format off
@@ -114,7 +114,7 @@ constexpr std::array rows{
     Parameter{.name = "structural_springs", .field = "structural_springs", .group = parameter_group::springs, .label = "Structural springs", .unit = "",
               .description = "Whether the springs along the threads of cloths are active.",
               .kind = Kind::Switch, .default_value = 1, .springs = {.family = SpringFamily::Structural}, .applies = has_family<SpringFamily::Structural>,
-              .access = plain([](auto& s) -> auto& { return s.system.family_on[std::size_t(SpringFamily::Structural)]; })},
+              .access = plain([](auto& s) -> auto& { return s.system.switches.families[std::size_t(SpringFamily::Structural)]; })},
     Parameter{.name = "structural_stiffness", .field = "", .group = parameter_group::springs, .label = "Structural k", .unit = "N/m",
               .description = "Stiffness of every spring along the threads of cloths.",
               .min = 0.01, .max = 1e6, .default_value = 100, .logarithmic = true, .scope = Scope::SpringStiffness,
@@ -122,7 +122,7 @@ constexpr std::array rows{
     Parameter{.name = "shear_springs", .field = "shear_springs", .group = parameter_group::springs, .label = "Shear springs", .unit = "",
               .description = "Whether the diagonal springs of cloths are active.",
               .kind = Kind::Switch, .default_value = 1, .springs = {.family = SpringFamily::Shear}, .applies = has_family<SpringFamily::Shear>,
-              .access = plain([](auto& s) -> auto& { return s.system.family_on[std::size_t(SpringFamily::Shear)]; })},
+              .access = plain([](auto& s) -> auto& { return s.system.switches.families[std::size_t(SpringFamily::Shear)]; })},
     Parameter{.name = "shear_stiffness", .field = "", .group = parameter_group::springs, .label = "Shear k", .unit = "N/m",
               .description = "Stiffness of every diagonal spring of cloths.",
               .min = 0.01, .max = 1e6, .default_value = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
@@ -130,7 +130,7 @@ constexpr std::array rows{
     Parameter{.name = "bend_springs", .field = "bend_springs", .group = parameter_group::springs, .label = "Bend springs", .unit = "",
               .description = "Whether the springs to the second next point of cloths are active.",
               .kind = Kind::Switch, .default_value = 1, .springs = {.family = SpringFamily::Bend}, .applies = has_family<SpringFamily::Bend>,
-              .access = plain([](auto& s) -> auto& { return s.system.family_on[std::size_t(SpringFamily::Bend)]; })},
+              .access = plain([](auto& s) -> auto& { return s.system.switches.families[std::size_t(SpringFamily::Bend)]; })},
     Parameter{.name = "bend_stiffness", .field = "", .group = parameter_group::springs, .label = "Bend k", .unit = "N/m",
               .description = "Stiffness of every spring to the second next point of cloths.",
               .min = 0.01, .max = 1e6, .default_value = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
@@ -138,7 +138,7 @@ constexpr std::array rows{
     Parameter{.name = "damped_springs", .field = "damped_springs", .group = parameter_group::springs, .label = "Damped springs", .unit = "",
               .description = "Whether the dashpots of springs are active.",
               .kind = Kind::Switch, .default_value = 1,
-              .access = plain([](auto& s) -> auto& { return s.system.dashpots_on; })},
+              .access = plain([](auto& s) -> auto& { return s.system.switches.dashpots; })},
     Parameter{.name = "damping", .field = "", .group = parameter_group::springs, .label = "Damping d", .unit = "N s/m",
               .description = "Damping force of every spring per rate of elongation.",
               .min = 0, .max = 1e4, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping, .springs = {.property = &Spring::damping}, .applies = has_plain_damping},
@@ -184,7 +184,7 @@ constexpr std::array rows{
     Parameter{.name = "point_damping", .field = "point_damping", .group = parameter_group::surroundings, .label = "Point damping", .unit = "",
               .description = "Whether drag acts on the points.",
               .kind = Kind::Switch, .default_value = 1,
-              .access = plain([](auto& s) -> auto& { return s.system.drag_on; })},
+              .access = plain([](auto& s) -> auto& { return s.system.switches.drag; })},
     Parameter{.name = "drag", .field = "drag", .group = parameter_group::surroundings, .label = "Drag c", .unit = "1/s",
               .description = "Rate at which the velocity of every point relative to the air decays.",
               .min = 0, .max = 100, .default_value = 0, .physical = not_negative, .logarithmic = true,

@@ -27,7 +27,7 @@ TEST(DragTool, MovesAPointWhilePausedAsOneUndoStep) {
 
 TEST(DragTool, HoldsThePointExactlyDuringARunAndReleasesItWithTheVelocityOfTheHand) {
   Scene scene = flat_scene({a, b});
-  scene.system.drag_on = false;
+  scene.system.switches.drag = false;
   ToolFixture fixture(scene);
   fixture.submit(SetRunning{true});
   const auto tool = make_drag_tool();

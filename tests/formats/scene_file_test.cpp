@@ -19,7 +19,7 @@ TEST(SceneFile, OmittedFieldsHaveTheDocumentedValues) {
   EXPECT_EQ(scene.system.dimensions, 3);
   EXPECT_EQ(scene.system.gravity, Vec3(0.0, -9.81, 0.0));
   EXPECT_EQ(scene.system.drag, 0.0);
-  EXPECT_TRUE(scene.system.drag_on && scene.system.dashpots_on);
+  EXPECT_TRUE(scene.system.switches.drag && scene.system.switches.dashpots);
   EXPECT_EQ(scene.system.points()[1].mass, 1.0);
   EXPECT_EQ(scene.system.points()[1].radius, 0.02);
   EXPECT_FALSE(scene.system.points()[1].nailed || scene.system.points()[1].color);

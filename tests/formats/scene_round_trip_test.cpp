@@ -65,9 +65,9 @@ class RandomScene {
     system.gravity = place();
     system.wind = place();
     system.drag = not_negative();
-    system.drag_on = random_() % 2;
-    system.dashpots_on = random_() % 2;
-    for (std::size_t family = 1; family < spring_families; ++family) system.family_on[family] = random_() % 2;
+    system.switches.drag = random_() % 2;
+    system.switches.dashpots = random_() % 2;
+    for (std::size_t family = 1; family < spring_families; ++family) system.switches.families[family] = random_() % 2;
     scene.state.time = hard_number(random_);
     add_points(scene);
     add_springs(scene);
@@ -188,8 +188,8 @@ std::string bits_of(const Scene& scene) {
   const auto add_vector = [&](const Vec3& v) { add(v.x, v.y, v.z); };
   const auto add_color = [&](const std::optional<Color>& c) { text << (c ? c->red * 65536 + c->green * 256 + c->blue : -1) << ' '; };
   const System& system = scene.system;
-  text << scene.name.size() << scene.name << scene.description.size() << scene.description << system.dimensions << system.drag_on
-       << system.dashpots_on << system.family_on[1] << system.family_on[2] << system.family_on[3] << ' ';
+  text << scene.name.size() << scene.name << scene.description.size() << scene.description << system.dimensions << system.switches.drag
+       << system.switches.dashpots << system.switches.families[1] << system.switches.families[2] << system.switches.families[3] << ' ';
   add(scene.state.time, system.drag);
   add_vector(system.gravity + Vec3(0.0));  // saved without the sign of a zero
   add_vector(system.wind);

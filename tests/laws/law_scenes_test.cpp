@@ -35,7 +35,7 @@ TEST(LawFields, DoNotActWhereTheSpringIsSwitchedOff) {
   Scene scene = with_spring(R"(, "family": "structural", "rest_length": 0.5, "law": "cubic", "k3": 30)");
   const Spring spring = scene.system.springs()[0];
   EXPECT_GT(elastic_energy(scene.system, scene.state, spring), 0.0);
-  scene.system.family_on.fill(false);
+  scene.system.switches.families.fill(false);
   EXPECT_EQ(elastic_energy(scene.system, scene.state, spring), 0.0);
   EXPECT_EQ(scene.system.stiffness_bound_of(spring), 0.0);
   Motion motion;

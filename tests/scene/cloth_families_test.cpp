@@ -78,7 +78,7 @@ TEST(Stencil, IsRefusedIfItLacksAFamilyThatHasAStiffness) {
 TEST(Families, AreReadBackFromAFileWithTheirSwitches) {
   Scene scene = cloth(R"("stiffness": 8, "stencil": 12)");
   scene.state.position[0].z = 1.0;  // no longer as generated, so everything is listed
-  scene.system.family_on = {true, true, false, false};
+  scene.system.switches.families = {true, true, false, false};
   const std::string text = format_scene(scene);
   EXPECT_EQ(text.find("generators"), std::string::npos);
   EXPECT_EQ(parse(text).system, scene.system);
@@ -99,7 +99,7 @@ TEST(Families, SwitchedOffBehaveAsIfAbsent) {
     std::vector<Spring> kept = without.system.springs();
     std::erase_if(kept, [&](const Spring& spring) { return spring.family == family; });
     without.system.set_springs(kept);
-    off.system.family_on[static_cast<std::size_t>(family)] = false;
+    off.system.switches.families[static_cast<std::size_t>(family)] = false;
 
     EXPECT_NEAR(compute_energy(off.system, off.state).total(), compute_energy(without.system, without.state).total(), 1e-12);
     EXPECT_NEAR(bound_spectrum(off.system).omega, bound_spectrum(without.system).omega, 1e-12);
@@ -131,7 +131,7 @@ TEST(Families, AreTunedBySeparateSlidersAndUndone) {
   EXPECT_EQ(scene.system, before);
 
   const auto back = apply(scene, SetParameter{find_parameter("bend_springs"), 0.0}, effect);
-  EXPECT_FALSE(scene.system.family_on[static_cast<std::size_t>(SpringFamily::Bend)]);
+  EXPECT_FALSE(scene.system.switches.families[static_cast<std::size_t>(SpringFamily::Bend)]);
   for (const Command& command : back) apply(scene, command, effect);
   EXPECT_EQ(scene.system, before);
 }

@@ -81,7 +81,7 @@ TEST(Dashpot, OfGreatStrengthDriftsAccurately) {
 
 TEST(Dashpot, SwitchedOffDoesNothing) {
   TestSim damped = net(6, 1e2, 0.9), plain = net(6, 1e2, 0.0);
-  damped.system.dashpots_on = false;
+  damped.system.switches.dashpots = false;
   damped.run(verlet(), 0.5, 100);
   plain.run(verlet(), 0.5, 100);
   EXPECT_EQ(damped.state, plain.state);

@@ -57,7 +57,7 @@ TEST_P(Loads, ExciteAnOscillationAboutTheNewEquilibrium) {
         sim.run(method(), seconds, steps);
         return std::abs(extension_of(sim) - glm::length(F) / k * (1.0 - std::cos(omega * seconds)));
       },
-      method().iterates ? 200 : asymptotic_steps(method().order) / (method().order == 1 ? 20 : 10) + 4, method().order, 0.3);
+      method().iterates() ? 200 : asymptotic_steps(method().order) / (method().order == 1 ? 20 : 10) + 4, method().order, 0.3);
 }
 
 // A free point falls in the direction of gravity and load: v = (g + F / m) t, of every method

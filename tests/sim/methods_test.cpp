@@ -131,9 +131,9 @@ TEST_P(Method, SolvesItsEquationsAsItDeclares) {
     case ImplicitSolve::Once:
       EXPECT_EQ(frame.motion().counts.solves, 1);
       break;
-    case ImplicitSolve::Prefactored:
-      EXPECT_EQ(frame.motion().counts.factorizations, 1);
-      [[fallthrough]];
+    case ImplicitSolve::Repeated:
+      EXPECT_LE(frame.motion().counts.factorizations, 1);
+      break;
     case ImplicitSolve::Iterative:
       EXPECT_GT(frame.motion().counts.solves, 1);
       break;
@@ -284,7 +284,7 @@ double distance_from_implicit_euler(const TestSim& start, const Integrator& row,
 }
 
 class Iterating : public EveryMethod {};
-INSTANTIATE_TEST_SUITE_P(Methods, Iterating, testing::ValuesIn(methods_that([](const Integrator& row) { return row.iterates; })),
+INSTANTIATE_TEST_SUITE_P(Methods, Iterating, testing::ValuesIn(methods_that([](const Integrator& row) { return row.iterates(); })),
                          method_name);
 
 // with dashpots, a hand that pulls a face, a cable, a strut, a cubic spring and a muscle

@@ -26,7 +26,7 @@ class Row : public EveryMethod {
   // error, smaller by a power of h omega, to change the measured order by less than a tenth. A single sweep over the constraints, far from
   // their solution, needs much shorter steps.
   int steps(int order) const {
-    if (method().iterates) return 400;
+    if (method().iterates()) return 400;
     if (method().stability == Stability::EachSpring) return 24000;
     if (method().stability == Stability::AStable || method().stability == Stability::LStable)
       return order == 1 ? 200 : order == 2 ? 40 : 60;
@@ -323,7 +323,7 @@ TEST(Amplification, OfAnUndampedModeMatchesTheTextbook) {
 // the determinant of an undamped step is 1 if and only if the method is symplectic
 TEST_P(Row, IsAreaPreservingOnlyIfSymplectic) {
   const double determinant = method().amplification({.h_omega_squared = 1.44}).determinant;
-  if (method().symplectic) {
+  if (method().is_symplectic()) {
     EXPECT_NEAR(determinant, 1.0, 1e-14);
   } else {
     EXPECT_GT(std::abs(determinant - 1.0), 1e-7);

@@ -107,7 +107,7 @@ TEST(Plan, ContainsOnlyWhatTheSceneNeeds) {
   TestSim sim = random_sim(8, 10, 20, 3, 5.0);
   sim.system.drag = 2.0;
   sim.system.colliders = {{.shape = Plane{}, .solid = false}};
-  sim.system.drag_on = sim.system.dashpots_on = false;
+  sim.system.switches.drag = sim.system.switches.dashpots = false;
   const Plan plan = make_plan(sim.system);
   EXPECT_FALSE(plan.has_dashpots());
   EXPECT_EQ(plan.drag, 0.0);

@@ -83,7 +83,7 @@ TEST_P(Hanging, ChainStaysAtItsEquilibriumLengths) {
     sim.run(method(), 1.0, steps);
     return HangingChain::off(sim);
   };
-  if (method().stability == Stability::EachSpring && !method().iterates) {
+  if (method().stability == Stability::EachSpring && !method().iterates()) {
     EXPECT_LT(off(2000), 2e-4);
     EXPECT_LT(off(8000), 0.25 * off(2000));
   } else {

@@ -96,8 +96,8 @@ TEST(System, TreatsDampingAndDragAsZeroWhenSwitchedOff) {
   const Spring spring{.damping = 2.0};
   EXPECT_EQ(system.drag_rate(), 3.0);
   EXPECT_EQ(system.damping_of(spring), 2.0);
-  system.drag_on = false;
-  system.dashpots_on = false;
+  system.switches.drag = false;
+  system.switches.dashpots = false;
   EXPECT_EQ(system.drag_rate(), 0.0);
   EXPECT_EQ(system.damping_of(spring), 0.0);
 }
@@ -117,7 +117,7 @@ TEST(System, DiffersWhenAnyPropertyDiffers) {
     return !(changed == chain().system);
   };
   EXPECT_TRUE(differs([](System& system) { system.drag = 0.5; }));
-  EXPECT_TRUE(differs([](System& system) { system.family_on[1] = false; }));
+  EXPECT_TRUE(differs([](System& system) { system.switches.families[1] = false; }));
   EXPECT_TRUE(differs([](System& system) { system.strain_limit = 0.1; }));
   EXPECT_TRUE(differs([](System& system) { system.faces.push_back({}); }));
   EXPECT_TRUE(differs([](System& system) { system.forces.emplace_back(); }));

@@ -26,7 +26,7 @@ double model_cost(const ProblemRecord& record, const Row& row, const Plan& plan)
   Motion motion;
   // in frames of 1/60 s, each of which starts with an evaluation
   motion.counts.force_evaluations =
-      row.work.force_evaluations + (method.symplectic && method.order > 1 ? std::lround(60.0 * record.seconds) : 0);
+      row.work.force_evaluations + (method.is_symplectic() && method.order > 1 ? std::lround(60.0 * record.seconds) : 0);
   motion.counts.factorizations = row.work.factorizations;
   motion.counts.solves = row.work.solves;
   motion.counts.sweeps = row.work.sweeps;

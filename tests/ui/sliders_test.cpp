@@ -280,9 +280,9 @@ TEST(Switches, TurnDashpotsOffAndOn) {
   GuiFixture gui(two_springs());
   const glm::dvec2 box = gui.find("side", {"damped_springs", "##switch"});
   gui.click(box);
-  EXPECT_FALSE(gui.system().dashpots_on);
+  EXPECT_FALSE(gui.system().switches.dashpots);
   gui.click(box);
-  EXPECT_TRUE(gui.system().dashpots_on);
+  EXPECT_TRUE(gui.system().switches.dashpots);
 }
 
 }  // namespace

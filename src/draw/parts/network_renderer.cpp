@@ -117,7 +117,7 @@ void NetworkRenderer::add_springs(const DrawContext& context, Subset subset, Str
   const Rgba plain = rgba(context.palette.spring);
 
   const System& system = *context.snapshot.system;
-  const bool all_on = std::ranges::find(system.family_on, false) == system.family_on.end();
+  const bool all_on = std::ranges::find(system.switches.families, false) == system.switches.families.end();
   const bool has_curves = system.springs().have_laws() || context.options.coils;
   if (subset == Subset::All) strokes.reserve(strain_.size());
   for (const std::size_t s : far_to_near(context)) {

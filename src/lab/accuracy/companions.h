@@ -2,7 +2,6 @@
 // settings. Each is at the time of the run: the next frame of the run waits for them.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "lab/accuracy/companion.h"

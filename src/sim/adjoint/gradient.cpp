@@ -64,7 +64,7 @@ Gradient gradient_of(const Plan& plan, const System& system, const Adjoint& to) 
     const bool is_on = system.is_on(system.springs()[in_system]);
     all.rest_length[in_system] = to.rest_length[s];
     all.stiffness[in_system] = is_on ? to.stiffness[s] : 0.0;
-    all.damping[in_system] = is_on && system.dashpots_on ? to.damping[s] : 0.0;
+    all.damping[in_system] = is_on && system.switches.dashpots ? to.damping[s] : 0.0;
   }
   for (Index i = 0; i < plan.points; ++i) {
     all.mass.push_back(-to.inverse_mass[i] * plan.inverse_mass[i] * plan.inverse_mass[i]);

@@ -11,11 +11,15 @@ void BoxTree::build(std::span<const Vec3> places) {
   nodes_.clear();
   order_.resize(places.size());
   std::iota(order_.begin(), order_.end(), 0);
-  split(places, 0, n);
+  places_.assign(places.begin(), places.end());
+  for (Vec3& place : places_)
+    for (int c = 0; c < 3; ++c)
+      if (!std::isfinite(place[c])) place[c] = 0.0;
+  split(0, n);
 }
 
 // In halves along the longest axis.
-void BoxTree::split(std::span<const Vec3> places, Index first, Index end) {
+void BoxTree::split(Index first, Index end) {
   const std::size_t node = nodes_.size();
   nodes_.push_back({.box = {}, .items = {first, end}});
   const auto at = [&](Index position) { return order_.begin() + position; };
@@ -23,13 +27,7 @@ void BoxTree::split(std::span<const Vec3> places, Index first, Index end) {
     std::sort(at(first), at(end));
     return;
   }
-  // coordinates near the limit of numbers are not sorted
-  const auto place_of = [&](Index i) {
-    Vec3 place = places[i];
-    for (int c = 0; c < 3; ++c)
-      if (!std::isfinite(place[c])) place[c] = 0.0;
-    return place;
-  };
+  const auto place_of = [&](Index i) -> const Vec3& { return places_[i]; };
   SurfaceBox box{place_of(order_[first]), place_of(order_[first])};
   for (Index p = first; p < end; ++p) box.include({place_of(order_[p]), place_of(order_[p])});
   const Vec3 size = box.max - box.min;
@@ -38,9 +36,9 @@ void BoxTree::split(std::span<const Vec3> places, Index first, Index end) {
   std::nth_element(at(first), at(middle), at(end), [&](Index a, Index b) {
     return std::pair{place_of(a)[axis], a} < std::pair{place_of(b)[axis], b};
   });
-  split(places, first, middle);
+  split(first, middle);
   nodes_[node].second = static_cast<Index>(nodes_.size());
-  split(places, middle, end);
+  split(middle, end);
 }
 
 }  // namespace hooke

@@ -19,7 +19,7 @@ class BoxTree {
   };
   static constexpr Index max_per_leaf = 12;
 
-  // Sorts items by these places. O(n log n).
+  // Sorts items by these places; coordinates that are not finite count as 0. O(n log n).
   void build(std::span<const Vec3> places);
   bool is_built() const { return !nodes_.empty(); }
   void clear() { nodes_.clear(); }
@@ -33,10 +33,11 @@ class BoxTree {
   void visit_close(double reach, const Visit& visit) const;
 
  private:
-  void split(std::span<const Vec3> places, Index first, Index end);
+  void split(Index first, Index end);
 
   std::vector<Node> nodes_;  // parents before their children
   std::vector<Index> order_;
+  std::vector<Vec3> places_;
 };
 
 // [m^2]

@@ -94,8 +94,6 @@ void TouchSimulation::add_pair(std::size_t first, std::size_t second, double dis
   const double response = paths[first].inverse_mass + paths[second].inverse_mass;
   touches.push_back({.first = first,
                      .second = second,
-                     .point = paths[first].point,
-                     .other = paths[second].point,
                      .distance = distance,
                      .restitution = restitution,
                      .law = {.mass = response > 0.0 ? 1.0 / response : 0.0, .friction = friction}});
@@ -205,7 +203,7 @@ void TouchSimulation::separate(double tolerance) {
 void TouchSimulation::recall_loads() {
   for (const std::size_t k : active_) {
     Touch& touch = touches[k];
-    const std::array points{touch.point, touch.other};
+    const std::array points = points_of(touch);
     const auto load = std::ranges::lower_bound(loads_.last, points, {}, &TouchLoads::Load::points);
     if (load == loads_.last.end() || load->points != points) continue;
     touch.law.impulse = load->impulse.scaled(h_ / loads_.last_h, touch.law.normal);
@@ -267,7 +265,7 @@ void TouchSimulation::rest() {
   for (const std::size_t p : changed_) paths[p].a = (velocity_[p] - (paths[p].v - paths[p].velocity_correction)) / h_;
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
-    if (touch.law.impulse.normal > 0.0) loads_.now.push_back({{touch.point, touch.other}, touch.law.impulse});
+    if (touch.law.impulse.normal > 0.0) loads_.now.push_back({points_of(touch), touch.law.impulse});
   }
   if (!is_alone()) separate(rough);
 }

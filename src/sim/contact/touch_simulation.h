@@ -21,7 +21,7 @@ inline constexpr double never = std::numeric_limits<double>::infinity();  // [s]
 
 // The path of a point, or of an obstacle, through a substep: a parabola from `time` on.
 struct PointPath {
-  Index point = no_index;         // of an obstacle, from -2 down
+  Index point = no_index;         // of an obstacle, from -2 down: the same in every substep
   double inverse_mass = 0.0;      // [1/kg]; 0: it follows its path whatever it touches
   double time = 0.0;              // [s], since the start of the substep
   Vec3 x{0.0}, v{0.0}, a{0.0};    // [m], [m/s], [m/s^2]
@@ -55,7 +55,6 @@ struct PointPath {
 struct Touch {
   std::size_t first = no_path, second = no_path;  // paths, the second perhaps that of an obstacle
   const Obstacle* obstacle = nullptr;
-  Index point = no_index, other = no_index;  // the first point, and the second or, from -2 down, the obstacle: the same in every substep
   double distance = 0.0;                     // [m]: for a pair, the sum of both radii and the thickness; for an obstacle, the radius
   double restitution = 0.0;                  // [1]
   double time = never;                       // [s], of the next impact
@@ -169,6 +168,7 @@ class TouchSimulation {
   void change_pushed();
   void clear_changed();
 
+  std::array<Index, 2> points_of(const Touch& touch) const { return {paths[touch.first].point, paths[touch.second].point}; }
   const Collider& shape_of(const Touch& touch) const;
   Parabola relative_path(const Touch& touch, double t) const;
   Vec3 relative_surface_velocity(const Touch& touch, const Vec3& normal, const Vec3& relative_position) const;

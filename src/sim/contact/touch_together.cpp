@@ -1,6 +1,5 @@
 // The part of TouchSimulation that solves what touches at the same time together.
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "sim/contact/constants.h"

@@ -46,7 +46,7 @@ CostModel::CostModel(const Plan& plan) {
 }
 
 double CostModel::evaluation(const Integrator& method) const {
-  return method.stability == Stability::Conditional && method.symplectic ? force_ : unfused_factor * force_;
+  return method.stability == Stability::Conditional && method.is_symplectic() ? force_ : unfused_factor * force_;
 }
 
 double CostModel::of(const Integrator& method, const Motion& motion, int substeps) const {
@@ -67,7 +67,7 @@ double CostModel::expected(const Integrator& method, int substeps) const {
     return ms_per_ns * (factorization_ + substeps * (stages * expected_iterations * solve_ + between));
   }
   if (method.stability == Stability::EachSpring) return ms_per_ns * substeps * (sweep_ + between);
-  const int evaluations = method.order <= 2 ? 1 : method.symplectic ? 6 : method.order;
+  const int evaluations = method.order <= 2 ? 1 : method.is_symplectic() ? 6 : method.order;
   const double dashpots = method.splits_dashpots ? 2.0 * dashpots_ : 0.0;
   return ms_per_ns * (substeps * (evaluations * evaluation(method) + dashpots + between) + force_);
 }

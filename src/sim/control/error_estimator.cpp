@@ -8,6 +8,7 @@
 
 #include "sim/control/constants.h"
 #include "sim/control/frame_error.h"
+#include "sim/control/step_controller.h"
 #include "sim/forces/spring_laws.h"
 #include "sim/forces/spring_limits.h"
 #include "sim/step/divergence.h"
@@ -38,6 +39,7 @@ bool has_any_flipped(const Plan& plan, const State& start, const State& end, int
   for (const SpringRun& run : plan.spring.runs)
     for (Index e = 0; e < run.count; ++e) {
       const Index i = run.first + e, j = run.second + e;
+      if (!carries_force(plan, run.begin + e)) continue;
       if (has_flipped(start.position[j] - start.position[i], end.position[j] - end.position[i], substeps)) return true;
     }
   return false;
@@ -86,6 +88,10 @@ bool FrameRuns::have_events() const { return have_contacts() || ends_[0].has_fli
 bool FrameRuns::have_impacts() const {
   const auto has_impact = [](const FrameEnd& end) { return end.has_impact || !end.broken.empty(); };
   return has_impact(ends_[0]) || (count_ > 1 && has_impact(ends_[1]));
+}
+
+bool FrameRuns::are_enough(const System& system, const Integrator& method, double share) const {
+  return count_ >= runs_needed(method) || (count_ == 2 && !have_events() && is_accepted(error(system, method), share));
 }
 
 double FrameRuns::error(const System& system, const Integrator& method) const {

@@ -41,6 +41,9 @@ class FrameRuns {
   // Where the end of the next run goes.
   FrameEnd& add();
   int count() const { return count_; }
+  // Whether they show the error: those that the method needs, or two that are within the `share` [m] of the tolerance even as runs of a
+  // method of second order.
+  bool are_enough(const System& system, const Integrator& method, double share) const;
   const FrameEnd& finest() const { return ends_[0]; }
   FrameEnd& finest() { return ends_[0]; }
   // In one of the last two: whether something touched or broke; or a spring flipped, too; and whether something struck or broke.

@@ -117,9 +117,7 @@ void FrameRunner::finish_run(Plan& plan) {
     return accept(std::nullopt, 0.0, 1);
   }
   set_end(runs_.add(), frame_, plan, start_, scratch_);
-  // of a method of higher order, two are enough if they are within the tolerance even as those of one of second order
-  const bool is_pair_enough = runs_.count() == 2 && is_accepted(runs_.error(*system_, *choice_.method), share_) && !runs_.have_events();
-  if (is_pair_enough || runs_.count() >= runs_needed(*choice_.method)) return judge(plan);
+  if (runs_.are_enough(*system_, *choice_.method, share_)) return judge(plan);
   other_cost_ += cost_of_run;
   start(plan, 2 * settings_.substeps);
 }

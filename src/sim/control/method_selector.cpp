@@ -57,12 +57,11 @@ double MethodSelector::compute(const Scene& scene, const Integrator& method, int
 FrameTrial MethodSelector::attempt(const Scene& scene, const Integrator& method, int substeps, double max_cost) {
   FrameTrial trial{.method = &method};
   runs_.restart();
-  for (int n = first_substeps(method, substeps); runs_.count() < runs_needed(method); n *= 2) {
+  for (int n = first_substeps(method, substeps); !runs_.are_enough(scene.system, method, scene.share); n *= 2) {
     trial.substeps = n;
     trial.cost += compute(scene, method, n, max_cost - trial.cost, runs_.add());
-    if (runs_.count() > 1) trial.error = runs_.error(scene.system, method);
-    if (runs_.count() == 2 && is_accepted(trial.error, scene.share) && !runs_.have_events()) break;
   }
+  trial.error = runs_.error(scene.system, method);
   return trial;
 }
 

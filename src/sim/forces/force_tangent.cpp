@@ -1,6 +1,5 @@
 #include "sim/forces/force_tangent.h"
 
-#include <algorithm>
 
 namespace hooke {
 

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "sim/forces/break_spring.h"
 #include "sim/forces/constants.h"
 #include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/spring_laws.h"

@@ -11,9 +11,11 @@ bool carries_force(const Plan& plan, Index spring);
 // [s], until a spring that separates reaches the length at which it breaks, at the velocities of this motion; infinity: none does.
 double time_to_break(const Plan& plan, const Motion& motion);
 
-// Sets k and d of the packed springs at least as long as plan.spring.break_length to zero, and adds their indices in the System to
-// `broken`, which is kept in ascending order. Adds the loss of their elastic energy to the energy ledger, and counts them. Returns whether
-// any broke.
+// Sets k and d of a packed spring of this length to zero, and adds its index in the System to `broken`. Adds the loss of its elastic energy
+// to the energy ledger, and counts it. The grids are refreshed by the caller.
+void break_spring(Plan& plan, Motion& motion, Index spring, double length, std::vector<Index>& broken);
+
+// Breaks the springs at least as long as plan.spring.break_length; `broken` is kept in ascending order. Returns whether any broke.
 bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken);
 
 // Shortens springs longer than plan.spring.max_length, one after another in several rounds, by moving both ends in proportion to their

@@ -5,7 +5,6 @@
 // with drag, although the conditions of the paper are for forces without velocities. Dashpots are split off as in velocity_verlet, which
 // makes it second order with them. The same holds for forces that depend on velocity.
 #include <array>
-#include <cmath>
 
 #include "sim/forces/dashpots/dashpot.h"
 #include "sim/forces/forces.h"
@@ -102,7 +101,6 @@ constinit const Integrator blanes_moan4{
     .order_with = {.drag = 4, .damped = 2, .contact = 2, .force_terms = 2},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
-    .symplectic = true,
     .splits_dashpots = true,
     .prepare = prepare,
     .step = step,

@@ -24,7 +24,6 @@ constinit const Integrator implicit_midpoint{
     .order_with = {.drag = 2, .damped = 2, .contact = 2, .force_terms = 2},
     .stability = Stability::AStable,
     .energy = EnergyTrend::Bounded,
-    .symplectic = true,
     .implicit_solve = ImplicitSolve::Iterative,
     .for_production = false,
     .prepare = DirkMethod<table>::prepare,

@@ -41,10 +41,10 @@ enum class EnergyTrend { Grows, Drifts, Bounded, Falls };
 
 // How a step solves its implicit equations.
 enum class ImplicitSolve {
-  None,         // there are none, or they are solved spring by spring or point by point
-  Once,         // linearized at the start of the step: one linear system
-  Iterative,    // by Newton's method, to a tolerance or to its limit of iterations
-  Prefactored,  // those of the springs alone, by a given number of iterations with one matrix
+  None,       // there are none, or they are solved spring by spring or point by point
+  Once,       // linearized at the start of the step: one linear system
+  Iterative,  // by Newton's method, to a tolerance or to its limit of iterations
+  Repeated,   // spring by spring or point by point, by Settings::iterations iterations
 };
 
 // As text, for menus and documents.
@@ -65,6 +65,8 @@ struct OrdersWith {
 struct Integrator {
   // The label without what it has in parentheses, for sentences.
   std::string short_name() const { return std::string(label.substr(0, label.find(" ("))); }
+  bool is_symplectic() const { return energy == EnergyTrend::Bounded; }  // undamped
+  bool iterates() const { return implicit_solve == ImplicitSolve::Repeated; }
   // Whether listed forces are part of an implicit system. If not, they limit the step also of a method that is otherwise stable at any
   // step.
   bool is_implicit() const { return implicit_solve == ImplicitSolve::Once || implicit_solve == ImplicitSolve::Iterative; }
@@ -79,15 +81,12 @@ struct Integrator {
   OrdersWith order_with;
   Stability stability;
   EnergyTrend energy;
-  bool symplectic = false;  // undamped
   ImplicitSolve implicit_solve = ImplicitSolve::None;
   // Robust enough for unattended use: the hard cases require that it succeeds at the smallest step tried. The others are for teaching and
   // comparison.
   bool for_production = true;
   // [1], by how much of a step its velocity is behind its position: half a step where x' = x + h v', and -1/2 where x' = x + h v.
   double velocity_lag = 0.0;
-  // Whether it repeats its step Settings::iterations times.
-  bool iterates = false;
   // Whether dashpots are solved exactly, apart from all other forces: with second order only while they decay little within a step.
   bool splits_dashpots = false;
   // Called once per frame, before its first step of h: sizes the workspace and computes what is common to all steps. May be null.

@@ -1,7 +1,6 @@
 #include "sim/methods/passage_step.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <vector>

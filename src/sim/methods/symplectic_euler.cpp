@@ -58,7 +58,6 @@ constinit const Integrator symplectic_euler{
     .order_with = {.drag = 1, .damped = 1, .contact = 1, .force_terms = 1},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
-    .symplectic = true,
     .for_production = false,
     .velocity_lag = 0.5,
     .step = step,

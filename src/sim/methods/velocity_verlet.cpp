@@ -113,7 +113,6 @@ constinit const Integrator velocity_verlet{
     .order_with = {.drag = 2, .damped = 2, .contact = 2, .force_terms = 2},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
-    .symplectic = true,
     .splits_dashpots = true,
     .prepare = prepare,
     .step = step,

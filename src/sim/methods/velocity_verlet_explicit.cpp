@@ -71,7 +71,6 @@ constinit const Integrator velocity_verlet_explicit{
     .order_with = {.drag = 2, .damped = 2, .contact = 2, .force_terms = 2},
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
-    .symplectic = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

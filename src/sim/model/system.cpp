@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -117,14 +116,14 @@ Vec3 anchor_of(const ColliderShape& shape) {
                     shape);
 }
 
-void System::append_point(const Point& point) { append(points_, point_ids_, point); }
+void System::append_point(const Point& point) { append(points_, ids_.points, point); }
 void System::append_spring(const Spring& spring) {
-  append(springs_, spring_ids_, spring);
+  append(springs_, ids_.springs, spring);
   ++family_count_[static_cast<std::size_t>(spring.family)];
 }
-void System::set_points(std::vector<Point> points) { set(points_, point_ids_, std::move(points)); }
+void System::set_points(std::vector<Point> points) { set(points_, ids_.points, std::move(points)); }
 void System::set_springs(SpringList springs) {
-  set(springs_, spring_ids_, std::move(springs));
+  set(springs_, ids_.springs, std::move(springs));
   family_count_ = {};
   for (const Spring& spring : springs_) ++family_count_[static_cast<std::size_t>(spring.family)];
 }

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -150,6 +148,14 @@ struct ScriptedHand {
   bool operator==(const ScriptedHand&) const = default;
 };
 
+// What may be switched off without losing its values.
+struct Switches {
+  bool drag = true;
+  bool dashpots = true;                                                // false: the damping of every spring counts as zero
+  std::array<bool, spring_families> families{true, true, true, true};  // false: its springs are ignored
+  bool operator==(const Switches&) const = default;
+};
+
 // The indices of items in their list by id, and the next id to assign. Ignored in comparisons: the indices follow from the list, and ids
 // assigned but not used do not make two scenes different.
 struct IdTable {
@@ -163,6 +169,11 @@ struct IdTable {
   bool operator==(const IdTable&) const { return true; }
 };
 
+struct IdTables {
+  IdTable points, springs;
+  bool operator==(const IdTables&) const = default;
+};
+
 // Properties are plain fields. Points and springs are added and removed only through the functions below, which keep the
 // lookup by id valid. Two systems are equal if all fields are; unused ids do not count.
 class System {
@@ -170,10 +181,8 @@ class System {
   int dimensions = 3;             // 2: everything stays in the plane z = 0
   Vec3 gravity{0.0, -9.81, 0.0};  // [m/s^2]
   double drag = 0.0;              // [1/s]: point damping, acceleration -drag (v - wind)
-  bool drag_on = true;
-  bool dashpots_on = true;                                              // false: the damping of every spring counts as zero
-  std::array<bool, spring_families> family_on{true, true, true, true};  // false: its springs are ignored
-  Vec3 wind{0.0};                                                       // [m/s], velocity of the air for the drag
+  Switches switches;
+  Vec3 wind{0.0};  // [m/s], velocity of the air for the drag
   FaceList faces;
   std::vector<Collider> colliders;
   PairContact contact;
@@ -193,18 +202,18 @@ class System {
   Index spring_count() const { return static_cast<Index>(springs_.size()); }
 
   // Index of a point or spring by its id; no_index if it does not exist.
-  Index index_of(PointId id) const { return point_ids_.find(static_cast<std::uint32_t>(id), points_.size()); }
-  Index index_of(SpringId id) const { return spring_ids_.find(static_cast<std::uint32_t>(id), springs_.size()); }
+  Index index_of(PointId id) const { return ids_.points.find(static_cast<std::uint32_t>(id), points_.size()); }
+  Index index_of(SpringId id) const { return ids_.springs.find(static_cast<std::uint32_t>(id), springs_.size()); }
 
   // For changing properties, except ids and a spring's ends and family. The index must be valid.
   Point& point(Index index) { return points_[index]; }
   SpringEdit spring(Index index) { return {springs_, static_cast<std::size_t>(index)}; }
 
   // The next ids, and the same while taking them.
-  std::uint32_t next_point_id() const { return point_ids_.next_id; }
-  std::uint32_t next_spring_id() const { return spring_ids_.next_id; }
-  PointId new_point_id() { return PointId{point_ids_.next_id++}; }
-  SpringId new_spring_id() { return SpringId{spring_ids_.next_id++}; }
+  std::uint32_t next_point_id() const { return ids_.points.next_id; }
+  std::uint32_t next_spring_id() const { return ids_.springs.next_id; }
+  PointId new_point_id() { return PointId{ids_.points.next_id++}; }
+  SpringId new_spring_id() { return SpringId{ids_.springs.next_id++}; }
   // Ids assigned before (undo restores removed points) are accepted; new ids are greater than all ids seen so far.
   void append_point(const Point& point);
   void append_spring(const Spring& spring);
@@ -219,8 +228,8 @@ class System {
   Index count_of(SpringFamily family) const { return family_count_[static_cast<std::size_t>(family)]; }
 
   // Effective drag, stiffness and damping, with the switches applied.
-  double drag_rate() const { return drag_on ? drag : 0.0; }
-  bool is_on(const Spring& spring) const { return family_on[static_cast<std::size_t>(spring.family)]; }
+  double drag_rate() const { return switches.drag ? drag : 0.0; }
+  bool is_on(const Spring& spring) const { return switches.families[static_cast<std::size_t>(spring.family)]; }
   double stiffness_of(const Spring& spring) const { return is_on(spring) ? spring.stiffness : 0.0; }
   // The same for bounds on frequencies and on steps: the largest derivative of its force.
   double stiffness_bound_of(const Spring& spring) const {
@@ -237,12 +246,12 @@ class System {
   }
   // Whether any spring has a strain at which it breaks.
   bool any_spring_breaks() const;
-  double damping_of(const Spring& spring) const { return dashpots_on && is_on(spring) ? spring.damping : 0.0; }
+  double damping_of(const Spring& spring) const { return switches.dashpots && is_on(spring) ? spring.damping : 0.0; }
 
  private:
   std::vector<Point> points_;
   SpringList springs_;
-  IdTable point_ids_, spring_ids_;
+  IdTables ids_;
   std::array<Index, spring_families> family_count_{};
 };
 

@@ -20,7 +20,7 @@ struct FrameSteps {
 class FrameDevice {
  public:
   virtual ~FrameDevice() = default;
-  // Leads the motion from the start of a frame to its end, and breaks springs (forces/break_spring.h). False: it has
+  // Leads the motion from the start of a frame to its end, and breaks springs (forces/spring_limits.h). False: it has
   // changed nothing, and the processor computes the frame.
   virtual bool advance(Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) = 0;
   // Why the processor computes the frames of this plan by this method, in a few words; empty: the device does.

@@ -1,6 +1,5 @@
 #include "sim/step/step.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 

@@ -54,7 +54,7 @@ void Substep::begin_frame(Plan& plan, const Settings& settings, Motion& motion) 
   before_.begin_frame();
   before_.works = &works_;
   before_.velocity_lag = method_->velocity_lag;
-  before_.friction_lag = method_->symplectic ? method_->velocity_lag : 0.0;
+  before_.friction_lag = method_->is_symplectic() ? method_->velocity_lag : 0.0;
   sticking_.begin_frame(plan, motion);
   prepare_method(plan, h_, motion);
   if (is_adaptive()) adaptive_.begin_frame(plan, motion);

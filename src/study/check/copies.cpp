@@ -58,7 +58,7 @@ std::optional<std::vector<Vec3>> settle(const System& system, const State& state
   Scene scene = resting_scene(system, state, settings, forecast);
   const double omega = forecast.slowest->omega;
   scene.system.drag = std::max(scene.system.drag_rate(), 2.0 * omega);
-  scene.system.drag_on = true;
+  scene.system.switches.drag = true;
   Lab lab(std::move(scene), KeepStart::No);
   if (!run_frames(lab, std::min(decay_times / omega, max_seconds), part, [](const Scene&) {})) return std::nullopt;
   return lab.scene().state.position;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "sim/methods/rows.h"
 #include "study/hard_cases/monitored_run.h"

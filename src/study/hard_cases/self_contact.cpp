@@ -1,7 +1,5 @@
 // Contact between points, springs and faces. Where the criterion counts crossings, a test repeats the run with a count of its own.
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 
 #include "scene/crossed_parts.h"
 #include "sim/contact/closest.h"

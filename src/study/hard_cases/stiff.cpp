@@ -20,7 +20,7 @@ constexpr double energy_round_off = 1e-9;  // of sums of energies
 
 // First order and dissipative: the energy never rises, however the springs rotate.
 bool is_dissipative(const Integrator& method) {
-  return method.order == 1 && method.energy == EnergyTrend::Falls && method.stability == Stability::LStable && !method.iterates;
+  return method.order == 1 && method.energy == EnergyTrend::Falls && method.stability == Stability::LStable && !method.iterates();
 }
 
 // 12 x 12 points, 1 m, 1 kg, no gravity; the stiffness k of all springs follows from k dt^2 / m.

@@ -9,10 +9,6 @@ using Scope = Parameter::Scope;
 
 bool is_of_springs(const Parameter& row) { return row.scope == Scope::SpringStiffness || row.scope == Scope::SpringDamping; }
 
-double Spring::*spring_property(const Parameter& row) {
-  return row.scope == Scope::SpringStiffness ? &Spring::stiffness : &Spring::damping;
-}
-
 // Calls `use(spring, weight)` for each spring that the row sets.
 template <class Use>
 void for_springs(const Parameter& row, const System& system, const SheetWeights* sheet, const AffectedSprings& affected, const Use& use) {
@@ -36,7 +32,7 @@ CommonValue values_of(const Parameter& row, const System& system, const SheetWei
   CommonValue common;
   if (is_of_springs(row))
     for_springs(row, system, sheet, affected,
-                [&](const Spring& spring, double weight) { common.include(spring.*spring_property(row) / weight); });
+                [&](const Spring& spring, double weight) { common.include(spring.*row.springs.property / weight); });
   if (row.scope == Scope::PointMass)
     for (const Point& point : system.points())
       if (const double area = area_of(sheet, point.id); area > 0.0) common.include(point.mass / area);
@@ -57,7 +53,7 @@ std::optional<Command> scaled_values(const Parameter& row, const System& before,
   if (is_of_springs(row)) {
     SetSpringProperty set{row.scope == Scope::SpringStiffness ? SpringProperty::Stiffness : SpringProperty::Damping, {}};
     for_springs(row, before, sheet, affected,
-                [&](const Spring& spring, double) { set.values.emplace_back(spring.id, factor * (spring.*spring_property(row))); });
+                [&](const Spring& spring, double) { set.values.emplace_back(spring.id, factor * (spring.*row.springs.property)); });
     return set;
   }
   if (row.scope == Scope::PointMass) {

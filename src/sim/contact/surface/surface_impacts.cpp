@@ -1,8 +1,6 @@
 #include "sim/contact/surface/surface_impacts.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "sim/contact/constants.h"
@@ -22,9 +20,8 @@ constexpr long max_distances = 5'000'000, max_excess = 40'000'000;
 
 }  // namespace
 
-bool SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detection, std::span<const double> inverse_mass,
+void SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detection, std::span<const double> inverse_mass,
                              std::span<const Vec3> x, double h, Index held, std::span<Vec3> u) {
-  bool any = false;
   zone_.clear();
   const long usual = usual_distances(x.size()), start = distances_;
   for (int pass = 0; pass < max_passes; ++pass) {
@@ -43,12 +40,10 @@ bool SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detectio
         hits = join(pair.points, inverse_mass, u) || hits;
       has_failed_ = distances_ > max_distances + usual || excess_ + distances_ > max_excess + usual;
     }
-    any = any || hits;
     if (has_failed_ || !hits) break;
   }
   excess_ += std::max(0L, distances_ - start + detection.tests() - usual);
   has_failed_ = has_failed_ || excess_ > max_excess;
-  return any;
 }
 
 // An inelastic impact after this time [s]. If an impulse cannot help, the passes that join do.

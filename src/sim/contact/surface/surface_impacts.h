@@ -17,8 +17,8 @@ class SurfaceImpacts {
   }
   // Changes the velocities u [m/s] of the paths from x that lead through each other in h [s]: by inelastic impacts, again until there is
   // none; after some passes, what meets moves together. The paths that remain are free of impacts, unless points that are fixed or `held`
-  // force features through each other. Returns whether it changed any.
-  bool prevent(const SurfacePlan& plan, SurfaceDetection& detection, std::span<const double> inverse_mass, std::span<const Vec3> x,
+  // force features through each other.
+  void prevent(const SurfacePlan& plan, SurfaceDetection& detection, std::span<const double> inverse_mass, std::span<const Vec3> x,
                double h, Index held, std::span<Vec3> u);
   // Whether the last call gave up: it takes too much work, or there are too many pairs.
   bool has_failed() const { return has_failed_; }

@@ -143,7 +143,6 @@ void decay_springs(const Plan& plan, const double* decay, SweepDirection sweep, 
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include <cmath>
 
 namespace hooke {
 

@@ -10,7 +10,6 @@
 // the first part couples the points of each edge, is not definite, and is taken by implicit methods where their matrix stays positive
 // definite; the second one is definite, of rank 1, and always taken.
 #include <cmath>
-#include <limits>
 
 #include "sim/forces/constants.h"
 #include "sim/forces/force_tangent.h"

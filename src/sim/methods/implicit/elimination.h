@@ -4,7 +4,6 @@
 // partitions on the multifrontal method, 1989).
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
