@@ -1,6 +1,7 @@
 // Replaces operator new in the programs: long blocks start at a cache line. A vector of 64 bytes that straddles two lines takes two
 // accesses, and the allocator of the C library never places long blocks at a line: the loops over points take up to a third longer.
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
