@@ -137,13 +137,15 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, double lag, doub
   const Lane load = zero - dot(gap.normal, a) - gap.curvature * dot(end.start, end.start);
   end.is_solved = hn::And(end.is_solved, hn::Gt(load * time, round_off));
 
-  // friction takes the direction of the end; what it stops within the step starts anew from rest, as far as forces then exceed it
+  // friction takes the direction of the end; what it stops within the step starts anew from rest, as far as forces then exceed it. It can
+  // stop no more than its impulse across the force
   const LaneVec3 drive = across(gap.normal, change);
   const Lane one = same(1.0), loss = same(friction) * load * time, square = dot(end.start, end.start), bound = loss + round_off;
   if (hn::AllTrue(PointLanes(), hn::Or(hn::Not(end.is_solved), hn::And(hn::Eq(square, zero), hn::Le(dot(drive, drive), bound * bound)))))
     return end;  // all of them are at rest
-  const Lane slowing = loss * hn::Sqrt(square) - dot(drive, end.start);
-  const LaneMask stops = hn::And(hn::Gt(slowing, square), hn::Gt(same(lag == 0.0 ? 1.0 : 0.0), zero));
+  const Lane along = dot(drive, end.start), slowing = loss * hn::Sqrt(square) - along, drive_square = dot(drive, drive);
+  const LaneMask can_stop = hn::Le(square * drive_square - along * along, loss * loss * drive_square);
+  const LaneMask stops = hn::And(can_stop, hn::And(hn::Gt(slowing, square), hn::Gt(same(lag == 0.0 ? 1.0 : 0.0), zero)));
   const Lane until = hn::IfThenElse(stops, square / slowing, one), left = hn::IfThenElse(stops, one - until, one);
   const LaneVec3 driven = choose(stops, drive, plus(end.start, drive));
   const Lane speed = length(driven);

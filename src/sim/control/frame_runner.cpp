@@ -122,6 +122,15 @@ void FrameRunner::finish_run(Plan& plan) {
   start(plan, 2 * settings_.substeps);
 }
 
+// At most so many, but at least twice as many as in the last run: the order may be higher than what is claimed. 0: none.
+int FrameRunner::affordable_substeps(const Plan& plan, int wanted) const {
+  const double max_cost = runs_.have_contacts() ? max_cost_of_events(plan) : max_cost_;
+  const double cost_of_one = control::cost_of_estimate * cost(plan) / choice_.substeps;
+  for (int n = wanted; n >= 2 * choice_.substeps; n /= 2)
+    if (n <= max_automatic_substeps && frame_cost_ + n * cost_of_one <= max_cost) return n;
+  return 0;
+}
+
 // The last run of an estimate has ended: keeps it, or starts one with more substeps.
 void FrameRunner::judge(Plan& plan) {
   choice_.substeps = settings_.substeps;
@@ -136,11 +145,10 @@ void FrameRunner::judge(Plan& plan) {
   if (is_small_enough && !needs_third) return accept(error, controlled, order);
   agreed_before_ = is_small_enough;
 
-  const int more = is_small_enough ? 4 * choice_.substeps
-                                   : refined_substeps({.substeps = choice_.substeps, .error = controlled, .order = order}, share_);
-  const double next_cost = control::cost_of_estimate * cost(plan) * more / choice_.substeps;
-  const double max_cost = runs_.have_contacts() ? max_cost_of_events(plan) : max_cost_;
-  if (more > max_automatic_substeps || frame_cost_ + next_cost > max_cost) return accept(error, controlled, order);
+  const int wanted = is_small_enough ? 4 * choice_.substeps
+                                     : refined_substeps({.substeps = choice_.substeps, .error = controlled, .order = order}, share_);
+  const int more = affordable_substeps(plan, wanted);
+  if (more == 0) return accept(error, controlled, order);
   other_cost_ += cost(plan);
   if (!is_small_enough && ++rejections_ == control::max_rejections) {
     const Integrator* before = choice_.method;

@@ -50,6 +50,7 @@ class FrameRunner {
   void accept(std::optional<double> error, double controlled, int order);
   double max_cost(const Plan& plan) const;
   double max_cost_of_events(const Plan& plan) const;
+  int affordable_substeps(const Plan& plan, int wanted) const;
 
   Frame frame_;
   MethodSelector selector_;
