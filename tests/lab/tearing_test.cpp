@@ -49,6 +49,23 @@ TEST_P(Tearing, ASpringBreaksAtItsStrainAndExertsNoForceAfterwards) {
   EXPECT_NEAR(sim.state.velocity[1].y, v.y - 9.81 * (sim.state.time - broke), 1e-9);
 }
 
+// its ends approach each other, so that it would be within its limit after the first substep
+TEST_P(Tearing, ASpringStretchedBeyondItsLimitByAnEditBreaksAtOnce) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  const Vec3 velocity{-3.0, 0.0, 0.0};
+  const PointId nail = sim.nail(Vec3(0.0)), end = sim.add({1.21, 0.0, 0.0}, 1.0, velocity);
+  sim.join(nail, end, 50.0, 1.0);
+  sim.system.spring(0)->break_strain = 0.2;
+  Plan plan = make_plan(sim.system);
+  Frame step;
+  step.begin(plan, sim.system, {.integrator = &method(), .substeps = 1}, sim.state);
+  while (!step.done()) step.substep(plan);
+  step.end(plan, sim.state);
+  EXPECT_EQ(step.broken().size(), 1u);
+  EXPECT_LT(glm::distance(sim.state.velocity[1], velocity), 1e-12);
+}
+
 TEST_P(Tearing, ASheetTearsWithItsFacesAndUndoRestoresItExactly) {
   const Scene start = weak_sheet(method());
   Lab lab(start);

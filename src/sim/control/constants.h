@@ -25,8 +25,8 @@ inline constexpr double max_turn = 0.25;
 // [ms], and relative to the frame before: a frame that would cost more ends with the error that it has, and a report.
 inline constexpr double max_cost = 1000.0, max_cost_factor = 30.0;
 
-// [ms], below which the frame before counts as this long.
-inline constexpr double short_frame = 0.05;
+// [ms], below which the frame before counts as this long: so many times as much is still less than a displayed frame.
+inline constexpr double short_frame = 0.2;
 // The runs of an estimate together cost this much of the last one, with half of its substeps in the one before.
 inline constexpr double cost_of_estimate = 1.5;
 // When methods are compared, one that misses the share gets the substeps that its order requires, times this margin: at least and at most

@@ -85,9 +85,9 @@ bool FrameRuns::have_contacts() const {
 
 bool FrameRuns::have_events() const { return have_contacts() || ends_[0].has_flipped || (count_ > 1 && ends_[1].has_flipped); }
 
-bool FrameRuns::have_impacts() const {
-  const auto has_impact = [](const FrameEnd& end) { return end.has_impact || !end.broken.empty(); };
-  return has_impact(ends_[0]) || (count_ > 1 && has_impact(ends_[1]));
+bool FrameRuns::have_jumps() const {
+  const auto has_jump = [](const FrameEnd& end) { return end.has_impact || end.has_flipped || !end.broken.empty(); };
+  return has_jump(ends_[0]) || (count_ > 1 && has_jump(ends_[1]));
 }
 
 bool FrameRuns::are_enough(const System& system, const Integrator& method, double share) const {
@@ -99,7 +99,10 @@ double FrameRuns::error(const System& system, const Integrator& method) const {
   const double reduction = std::ldexp(1.0, have_events() ? 1 : order_of(system, method, ends_[0]));
   const auto distance = [&](const FrameEnd& coarse, const FrameEnd& fine) {
     const bool agree = coarse.is_finite && fine.is_finite && coarse.broken == fine.broken;
-    return agree ? weighted_distance(system, coarse.position, fine.position, 1.0).rms : infinity;
+    if (!agree) return infinity;
+    const double of_velocities = weighted_distance(system, coarse.velocity, fine.velocity, 1.0).rms;
+    return std::hypot(weighted_distance(system, coarse.position, fine.position, 1.0).rms,
+                      frequency_ > 0.0 ? of_velocities / frequency_ : 0.0);
   };
   const double last = distance(ends_[1], ends_[0]);
   if (count_ < 3 || runs_needed(method) < 3) return last / (std::min(reduction, control::max_assumed_reduction) - 1.0);

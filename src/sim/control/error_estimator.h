@@ -37,7 +37,8 @@ int first_substeps(const Integrator& method, int substeps);
 // The runs of one frame, each with more substeps than the one before, usually twice as many.
 class FrameRuns {
  public:
-  void restart() { count_ = 0; }
+  // For a scene whose fastest vibration has this frequency [rad/s]; 0: nothing vibrates.
+  void restart(double frequency) { count_ = 0, frequency_ = frequency; }
   // Where the end of the next run goes.
   FrameEnd& add();
   int count() const { return count_; }
@@ -46,12 +47,14 @@ class FrameRuns {
   bool are_enough(const System& system, const Integrator& method, double share) const;
   const FrameEnd& finest() const { return ends_[0]; }
   FrameEnd& finest() { return ends_[0]; }
-  // In one of the last two: whether something touched or broke; or a spring flipped, too; and whether something struck or broke.
+  // In one of the last two: whether something touched or broke; or a spring flipped, too; and whether a velocity or a force jumped, because
+  // something struck, broke or flipped.
   bool have_contacts() const;
   bool have_events() const;
-  bool have_impacts() const;
+  bool have_jumps() const;
   // RMS error [m] of the finest over the free points, from at least two runs:
-  //   |x(n) - x(n/2)| / (q - 1)     (Richardson)
+  //   d(n) / (q - 1),  d(n)^2 = |x(n) - x(n/2)|^2 + |v(n) - v(n/2)|^2 / frequency^2     (Richardson)
+  // Positions alone may agree by chance while a vibration is out of phase.
   // q is 2^p, but at most 4, for two runs. For three it is the factor by which the differences fell, from 2 to 2^p; and the last difference
   // counts as at least the one before it, divided by 2^p. Infinity if a run failed, or if springs broke in only one of them.
   double error(const System& system, const Integrator& method) const;
@@ -61,6 +64,7 @@ class FrameRuns {
  private:
   std::array<FrameEnd, 3> ends_;  // the finest first
   int count_ = 0;
+  double frequency_ = 0.0;  // [rad/s]
 };
 
 // Whether nothing can make the error of the coming frame much larger than that of the last one: nothing touches, breaks or is held, and no

@@ -95,7 +95,7 @@ void FrameRunner::start(Plan& plan, int substeps) {
 
 // The first of the runs whose last one has at least so many substeps.
 void FrameRunner::start_runs(Plan& plan, int substeps) {
-  runs_.restart();
+  runs_.restart(plan.spectrum.omega);
   start(plan, std::max(first_substeps(*choice_.method, substeps), choice_.min_substeps));
 }
 
@@ -141,7 +141,7 @@ void FrameRunner::judge(Plan& plan) {
   const double controlled = std::max(error, later);
   const bool is_small_enough = is_accepted(controlled, share_);
   // times of events differ at random between runs: two that agree may do so by chance, but hardly with a third, of four times the substeps
-  const bool needs_third = runs_.have_impacts() && !agreed_before_;
+  const bool needs_third = runs_.have_jumps() && !agreed_before_;
   if (is_small_enough && !needs_third) return accept(error, controlled, order);
   agreed_before_ = is_small_enough;
 

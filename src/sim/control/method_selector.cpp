@@ -56,7 +56,7 @@ double MethodSelector::compute(const Scene& scene, const Integrator& method, int
 // The frame with this last number of substeps, and with fewer before, as its estimate takes.
 FrameTrial MethodSelector::attempt(const Scene& scene, const Integrator& method, int substeps, double max_cost) {
   FrameTrial trial{.method = &method};
-  runs_.restart();
+  runs_.restart(plan_.spectrum.omega);
   for (int n = first_substeps(method, substeps); !runs_.are_enough(scene.system, method, scene.share); n *= 2) {
     trial.substeps = n;
     trial.cost += compute(scene, method, n, max_cost - trial.cost, runs_.add());

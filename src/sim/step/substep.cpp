@@ -44,6 +44,9 @@ void Substep::begin_frame(Plan& plan, const Settings& settings, Motion& motion) 
   failure_ = StepFailure::None;
   broken_.clear();
   broken_.reserve(plan.spring.break_length.size());
+  // what an edit stretched too far breaks at once: it may be shorter again after a substep. A device breaks it after one
+  if (!plan.spring.break_length.empty() && plan.execution.device == nullptr && break_springs(plan, motion, broken_))
+    motion.acceleration_is_current = false;
 
   work_.tolerance = settings.tolerance;
   work_.min_step = min_step_fraction * h_;
