@@ -154,6 +154,21 @@ def check_labels():
                 problem(page, f"{label}: no such label or scene")
 
 
+def check_names():
+    """Names of code in the description of the architecture, `Lab::advance` or `sim/contact/contact`, exist."""
+    page = docs / "development/architecture.md"
+    sources = "".join(file.read_text() for kind in ("*.cpp", "*.h") for file in (root / "src").rglob(kind))
+    text = re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.DOTALL | re.MULTILINE)
+    for name in re.findall(r"`([^`\n ]+)`", text):
+        if re.fullmatch(r"[A-Z]\w*[a-z]\w*(::\w+)?|[a-z]+_\w+", name):
+            if not re.search(rf"\b{name.rpartition('::')[2]}\b", sources) and not list((root / "src").rglob(f"{name}.cpp")):
+                problem(page, f"{name}: there is no such name in src")
+        elif re.fullmatch(r"(src|sim|app|scene|ui|lab|edit|shaders|assets)/[a-z\d_./-]+", name):
+            path = root / name if (root / name).parent.exists() else root / "src" / name
+            if not path.exists() and not list(path.parent.glob(path.name + ".*")):
+                problem(page, f"{name}: there is no such file")
+
+
 def check_tables(make_manual):
     with tempfile.TemporaryDirectory() as folder:
         for page in pages:
@@ -246,6 +261,7 @@ def main():
     check_language()
     check_keys()
     check_labels()
+    check_names()
     if arguments.make_manual:
         check_tables(arguments.make_manual.resolve())
     check_commands(arguments.headless and arguments.headless.resolve(), arguments.verbose)
