@@ -22,7 +22,7 @@ top = [root / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md")]
 pages = top + sorted(docs.rglob("*.md"))
 
 WORDS_IN_ALL = 22_000
-WORDS_OF_A_PAGE = {"README.md": 700, "docs/guide/error.md": 500, "docs/development/architecture.md": 1300, "docs/reference/contact.md": 1300}
+WORDS_OF_A_PAGE = {"README.md": 700, "docs/guide/error.md": 500, "docs/development/architecture.md": 1300, "docs/reference/contact.md": 1350}
 WORDS_OF_A_FOLDER = {"guide": 900, "evidence": 300, "development": 700}
 LINES_OF_A_VERSION = {"Unreleased": 40, "1.1.0": 60}
 
