@@ -44,7 +44,7 @@ std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const 
   // those of the start are another warning
   if (crossings_.first == 0 && crossings_.max > 0)
     warnings.push_back("up to " + pluralize(static_cast<std::size_t>(crossings_.max), "edge passes", "edges pass") +
-                       " through faces or springs, from " + quantity_text(crossings_.time, "s", 4) + " on: move the hand more slowly");
+                       " through faces or springs, from " + quantity_text(crossings_.time, "s", 4) + " on");
   if (std::string warning = energy_.warning(tolerance.energy); !warning.empty()) warnings.push_back(std::move(warning));
   if (!(estimated_error_ <= tolerance.position))
     warnings.push_back("estimated error: " + quantity_text(estimated_error_, "m", 1) + " in total");
