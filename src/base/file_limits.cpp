@@ -10,7 +10,7 @@ std::span<const FileLimit> file_limits() {
       FileLimit{"points", "at most 5000000, listed and generated"},
       FileLimit{"springs", "at most 20000000, listed and generated"},
       FileLimit{"faces", "at most 10000000, listed and generated"},
-      FileLimit{"colliders, generators", "at most 1000 each"},
+      FileLimit{"colliders, generators, forces", "at most 1000, 1000 and 100"},
       FileLimit{"nesting", "at most 32 levels"},
       FileLimit{"a string or key", "at most 4096 bytes; each key once in its object"},
       FileLimit{"values", "at most 1000000 in one point, spring, generator or other member"},

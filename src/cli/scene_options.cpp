@@ -88,7 +88,7 @@ std::optional<std::string> first_stepping_option(const CLI::App& app) {
 }
 
 void add_threads_option(CLI::App& app, int& threads) {
-  app.add_option("--threads", threads, "Number of threads that compute a frame, to the same bits; scenes of less than 2000 points use one")
+  app.add_option("--threads", threads, "Threads that compute a frame, with the same bits; scenes of less than 2000 points use one")
       ->type_name("N")
       ->check(within({.min = 1, .max = max_parts}))
       ->capture_default_str();

@@ -55,8 +55,7 @@ std::string describe(const Divergence& divergence, const System& system) {
              "." + when;
     case Divergence::Kind::TooManyPairs:
       return "More than " + std::to_string(PairSolver::max_pairs) +
-             " pairs of points come within reach of each other in one substep, or points hit each other too often, or surfaces move too "
-             "far, in it or in the frame, for contact to follow; fastest is " +
+             " pairs of points come within reach of each other in one substep, or contact takes too much work in a frame; fastest is " +
              location + "." + when;
     case Divergence::Kind::MatrixTooLarge:
       return "The network is too large for an implicit method: it would need more than " + std::to_string(max_factor_entries / 1'000'000) +

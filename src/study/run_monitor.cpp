@@ -39,7 +39,8 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
 std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const {
   std::vector<std::string> warnings;
   if (unconverged_solves_ > 0)
-    warnings.push_back(std::to_string(unconverged_solves_) + (unconverged_solves_ == 1 ? " solve" : " solves") + " did not converge");
+    warnings.push_back(pluralize(static_cast<std::size_t>(unconverged_solves_), "solve", "solves") +
+                       " did not converge; take more substeps");
   // those of the start are another warning
   if (crossings_.first == 0 && crossings_.max > 0)
     warnings.push_back("up to " + pluralize(static_cast<std::size_t>(crossings_.max), "edge passes", "edges pass") +

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The documentation: links, limits of length, keys, labels, generated tables, and the commands that it shows.
+"""The documentation: links, limits of length, language, keys, labels, generated tables, and the commands that it shows.
 
     docs_test.py [--headless PROGRAM] [--make-manual PROGRAM]
 
@@ -22,9 +22,8 @@ top = [root / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md")]
 pages = top + sorted(docs.rglob("*.md"))
 
 WORDS_IN_ALL = 22_000
-WORDS_OF_A_PAGE = {"README.md": 700, "docs/guide/error.md": 500}
-WORDS_OF_A_GUIDE_PAGE = 900
-WORDS_OF_EVIDENCE = 300
+WORDS_OF_A_PAGE = {"README.md": 700, "docs/guide/error.md": 500, "docs/development/architecture.md": 1300, "docs/reference/contact.md": 1350}
+WORDS_OF_A_FOLDER = {"guide": 900, "evidence": 300, "development": 700}
 LINES_OF_A_VERSION = {"Unreleased": 40, "1.1.0": 60}
 
 # Commands that are shown and not run by this test, with the reason.
@@ -114,11 +113,7 @@ def check_links():
 def check_lengths():
     for page in pages:
         name = str(page.relative_to(root))
-        limit = WORDS_OF_A_PAGE.get(name)
-        if limit is None and page.parent == docs / "guide":
-            limit = WORDS_OF_A_GUIDE_PAGE
-        if limit is None and page.parent == docs / "evidence":
-            limit = WORDS_OF_EVIDENCE
+        limit = WORDS_OF_A_PAGE.get(name, WORDS_OF_A_FOLDER.get(page.parent.name))
         if limit is not None and words_of(page) > limit:
             problem(page, f"{words_of(page)} words, at most {limit}")
     if (words := sum(map(words_of, pages))) > WORDS_IN_ALL:
@@ -130,6 +125,14 @@ def check_lengths():
     for page in sorted((docs / "guide").glob("*.md")):
         if not re.search(r"!\[[^]]+\]\([^)]+\)", "\n".join(page.read_text().splitlines()[:12])):
             problem(page, "no picture near the top")
+
+
+def check_language():
+    """What tells of earlier versions belongs into the changelog."""
+    for page in pages:
+        if page.name != "CHANGELOG.md":
+            for words in re.findall(r"\b(?:no longer|formerly|previously|anymore|any more|of the same|of before|since then)\b", prose_of(page.read_text())):
+                problem(page, f"{words}: no history, and no sentence that needs the one before it")
 
 
 def check_keys():
@@ -149,6 +152,21 @@ def check_labels():
         for label in re.findall(r"(?<![*\w])\*([A-Z][^*\n?]{1,40})\*(?!\*)", page.read_text()):
             if label not in scenes and f'"{label}' not in sources and f'{label}"' not in sources:
                 problem(page, f"{label}: no such label or scene")
+
+
+def check_names():
+    """Names of code in the description of the architecture, `Lab::advance` or `sim/contact/contact`, exist."""
+    page = docs / "development/architecture.md"
+    sources = "".join(file.read_text() for kind in ("*.cpp", "*.h") for file in (root / "src").rglob(kind))
+    text = re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.DOTALL | re.MULTILINE)
+    for name in re.findall(r"`([^`\n ]+)`", text):
+        if re.fullmatch(r"[A-Z]\w*[a-z]\w*(::\w+)?|[a-z]+_\w+", name):
+            if not re.search(rf"\b{name.rpartition('::')[2]}\b", sources) and not list((root / "src").rglob(f"{name}.cpp")):
+                problem(page, f"{name}: there is no such name in src")
+        elif re.fullmatch(r"(src|sim|app|scene|ui|lab|edit|shaders|assets)/[a-z\d_./-]+", name):
+            path = root / name if (root / name).parent.exists() else root / "src" / name
+            if not path.exists() and not list(path.parent.glob(path.name + ".*")):
+                problem(page, f"{name}: there is no such file")
 
 
 def check_tables(make_manual):
@@ -240,8 +258,10 @@ def main():
         return
     check_links()
     check_lengths()
+    check_language()
     check_keys()
     check_labels()
+    check_names()
     if arguments.make_manual:
         check_tables(arguments.make_manual.resolve())
     check_commands(arguments.headless and arguments.headless.resolve(), arguments.verbose)

@@ -40,7 +40,7 @@ TestSim crowded_net(std::uint64_t seed) {
 TEST(CloseStart, GainsOfSeparationAreInTheEnergyBalance) {
   const bool prints = std::getenv("HOOKE_PRINT") != nullptr;
   const int nets = prints ? 120 : 30;
-  int gains = 0;
+  int gains = 0, stops = 0;
   for (int seed = 0; seed < nets; ++seed) {
     const TestSim sim = crowded_net(static_cast<std::uint64_t>(seed) * 7919 + 29);
     const double start = compute_energy(sim.system, sim.state).total(), omega = make_plan(sim.system).spectrum.omega;
@@ -48,14 +48,19 @@ TEST(CloseStart, GainsOfSeparationAreInTheEnergyBalance) {
     const int substeps = std::max(1, static_cast<int>(std::ceil(omega / 60.0 / 0.33)));
     Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("velocity_verlet"), .substeps = substeps, .tolerance = {}}),
                            AccuracyMode::Frame);
-    for (int i = 0; i < 30; ++i) ASSERT_TRUE(lab.step()) << seed;
+    bool stopped = false;
+    for (int i = 0; i < 30 && !stopped; ++i) stopped = !lab.step();
+    stops += stopped ? 1 : 0;
+    if (stopped && prints) std::printf("net %d stopped\n", seed);
+    if (stopped) continue;
     const double gain = compute_energy(lab.scene().system, lab.scene().state).total() - start;
     if (gain <= 0.05 * start) continue;
     ++gains;
     EXPECT_GE(lab.accuracy().energy.method(), gain * (1.0 - 1e-9)) << seed;
   }
   EXPECT_GT(gains, 0);
-  if (prints) std::printf("%d of %d nets gained more than 5 %%\n", gains, nets);
+  EXPECT_LE(stops, nets / 100);
+  if (prints) std::printf("%d of %d nets gained more than 5 %%, %d stopped\n", gains, nets, stops);
 }
 
 }  // namespace

@@ -193,32 +193,32 @@ int bench(const BenchOptions& options) {
   progress.clear();
   draw_and_print(results.results, options);
   if (is_interrupted) {
-    std::cerr << "Interrupted. Results so far are saved; the same command resumes from them.\n";
+    std::cerr << "Interrupted; results so far are saved. The same command resumes from them.\n";
     return exit_interrupted();
   }
-  if (!results.is_complete) std::cerr << "Time limit of --quick reached. Results so far are saved; the same command resumes from them.\n";
+  if (!results.is_complete) std::cerr << "Time limit of --quick reached; results so far are saved. The same command resumes from them.\n";
   const bool is_worse = earlier && !is_as_accurate(*earlier, results.results, options);
   return results.has_failed || is_worse ? exit_code::check_failed : exit_code::success;
 }
 
 // What is done instead of measuring the scenes, one at a time.
 std::vector<CLI::Option*> add_other_measurements(CLI::App& app, BenchOptions& options) {
-  return {
-      app.add_option("--report", options.report_of, "Write the tables and charts of these results to DIR again, without measuring")
-          ->type_name("bench.json"),
-      app.add_option("--merge", options.merge, "Write one table of the parts in these folders, without measuring")->type_name("DIR"),
-      app.add_flag("--scaling", options.scaling,
-                   "Measure the time and the memory of cloths of 1e3 to 4e6 springs instead, and write them to scaling.csv"),
-      app.add_flag("--kernels", options.kernels,
-                   "Measure the time of a step of several kinds of cloth instead, and write it to kernels.csv"),
-      app.add_flag("--edits", options.edits, "Measure how long edits of running cloths take to be seen instead, and write it to edits.csv"),
-      app.add_flag("--capacity", options.capacity,
-                   "Measure the largest cloth that each method steps at 60 frames per second within --error instead, and write it to "
-                   "capacity.csv"),
-      app.add_flag(
-          "--overhead", options.overhead,
-          "Measure what the error of a frame and the energy balance cost to measure instead, with each method and auto on SCENE or "
-          "some shipped scenes, and write it to overhead.csv")};
+  return {app.add_option("--report", options.report_of, "Write the tables and charts of these results to DIR again, without measuring")
+              ->type_name("bench.json"),
+          app.add_option("--merge", options.merge, "Write one table of the parts in these folders, without measuring")->type_name("DIR"),
+          app.add_flag("--scaling", options.scaling,
+                       "Measure the time and the memory of cloths of 1e3 to 4e6 springs instead, and write them to scaling.csv"),
+          app.add_flag("--kernels", options.kernels,
+                       "Measure the time of a step of several kinds of cloth instead, and write it to kernels.csv"),
+          app.add_flag("--edits", options.edits,
+                       "Measure the time from edits of running cloths to their pictures instead, and write it to edits.csv"),
+          app.add_flag("--capacity", options.capacity,
+                       "Measure the largest cloth that each method steps at 60 frames per second within --error instead, and write it to "
+                       "capacity.csv"),
+          app.add_flag(
+              "--overhead", options.overhead,
+              "Measure the overhead of the error of a frame and of the energy balance instead, for each method and auto on SCENE or some "
+              "shipped scenes, and write it to overhead.csv")};
 }
 
 }  // namespace
@@ -239,7 +239,7 @@ std::function<int()> declare_bench(CLI::App& app) {
                                        "Exit with code 1 if an error is more than 10 % larger than in these results, or a run does not "
                                        "finish that did")
                             ->type_name("bench.json");
-  app.add_option("--junit", options->junit, "Of --verify: write the comparison as the XML of JUnit; - for stdout")
+  app.add_option("--junit", options->junit, "Of --verify: write the comparison as JUnit XML; - for stdout")
       ->type_name("FILE")
       ->needs(verify);
   const std::vector<CLI::Option*> instead = add_other_measurements(app, *options);
@@ -249,7 +249,7 @@ std::function<int()> declare_bench(CLI::App& app) {
                            ->capture_default_str();
   error->needs("--capacity");
   CLI::Option* device = app.add_option("--device", options->device,
-                                       "gpu: measure what runs there on the GPU, too, in real time; of --kernels instead of on the CPU")
+                                       "gpu: also measure the methods that run on the GPU, in real time; with --kernels, on the GPU alone")
                             ->type_name("cpu|gpu")
                             ->transform(one_of({"cpu", "gpu"}));
   for (CLI::Option* option : instead) {

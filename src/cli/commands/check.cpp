@@ -192,7 +192,7 @@ std::function<int()> declare_check(CLI::App& app) {
       ->type_name("N")
       ->check(within({.min = 1, .max = 256}));
   app.add_option("--json", options->json, "Write the results as JSON; - for stdout")->type_name("FILE");
-  app.add_option("--junit", options->junit, "Write the results as the XML of JUnit; - for stdout")->type_name("FILE");
+  app.add_option("--junit", options->junit, "Write the results as JUnit XML; - for stdout")->type_name("FILE");
   app.add_option("--markdown", options->markdown, "Write the tables of docs/evidence/stability.md; - for stdout")->type_name("FILE");
   app.add_flag("-q,--quiet", options->quiet, "Print only errors");
   return [options] { return check(*options); };

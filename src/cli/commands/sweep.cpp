@@ -61,7 +61,7 @@ int sweep(const SweepOptions& options) {
   progress.reset();
   report(results, options);
   if (!was_interrupted()) return exit_code::success;
-  std::cerr << "Interrupted. Results so far are saved; the same command resumes from them.\n";
+  std::cerr << "Interrupted; results so far are saved. The same command resumes from them.\n";
   return exit_interrupted();
 }
 

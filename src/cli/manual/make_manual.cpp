@@ -150,7 +150,7 @@ std::string manual_page() {
           "cost of higher accuracy. Without a command it opens a window with SCENE: a file ("
        << roff(readable_extensions())
        << "), or the name of a shipped scene.\n"
-          "The commands need no window and no display; they are executed by\n.BR hooke\\-headless ,\nwhich accepts the same ones.\n";
+          "The commands need no window and no display; they are those of\n.BR hooke\\-headless .\n";
 
   section(page, "OPTIONS");
   write_options(page, app, true);
