@@ -244,7 +244,7 @@ std::function<int()> declare_bench(CLI::App& app) {
       ->needs(verify);
   const std::vector<CLI::Option*> instead = add_other_measurements(app, *options);
   CLI::Option* error = app.add_option("--error", options->error, "Of --capacity: RMS error of the positions, relative to the width")
-                           ->check(within({1e-9, 0.1}))
+                           ->transform(within({1e-9, 0.1}))
                            ->type_name("E")
                            ->capture_default_str();
   error->needs("--capacity");
