@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <limits>
 
@@ -18,16 +19,12 @@ struct hooke_simulation {
 
 namespace {
 
-thread_local std::string last_error;
+thread_local char last_error[4096];
 thread_local int last_code = 0;
 
 void note(int code, const char* error) {
   last_code = code;
-  try {
-    last_error = error;
-  } catch (...) {
-    last_error.clear();
-  }
+  std::snprintf(last_error, sizeof last_error, "%s", error);
 }
 
 // What `work` returns, or `failed`. No exception leaves a function of C.
@@ -93,7 +90,7 @@ constexpr bool (R::*step_seconds)(double) = &R::step;
 // one function a line
 // clang-format off
 const char* hooke_version() { return version(); }
-const char* hooke_error() { return last_error.c_str(); }
+const char* hooke_error() { return last_error; }
 int hooke_error_code() { return last_code; }
 
 hooke_scene* hooke_scene_new() { return make_scene([] { return Scene(); }); }

@@ -118,6 +118,7 @@ struct BenchOptions {
 };
 
 void draw_and_print(const Results& results, const BenchOptions& options) {
+  if (results.problems.empty()) return;
   if (const std::optional<std::string> failure = draw_charts(results, options.folder)) std::cerr << *failure << "\n";
   if (options.quiet || options.junit == "-") return;
   for (const ProblemRecord& record : results.problems) std::cout << report(record);

@@ -1,6 +1,9 @@
 // A remedy in words.
+#include <array>
+
 #include "base/number_text.h"
 #include "base/text_lines.h"
+#include "sim/methods/integrator.h"
 #include "study/remedy/remedy.h"
 
 namespace hooke {
@@ -28,35 +31,22 @@ std::string speed_text(const TestedSetting& setting) {
 
 namespace {
 
-// A clause for after a colon.
-std::string cause_of(const Remedy& remedy, const Settings& settings) {
-  using enum Remedy::Cause;
-  switch (remedy.cause) {
-    case StepTooLong:
-      return "the step is beyond the linear stability limit of " + std::string(settings.integrator->label);
-    case Force:
-      return "the listed forces are the cause";
-    case Contact:
-      return "contact is the cause";
-    case Hand:
-      return "the hand is the cause";
-    case Springs:
-      return "springs rotate far within a step, which the linear stability limit does not cover";
-    case NotReproduced:
-    case SearchLimit:
-    case NotFound:
-      break;
-  }
-  return "the cause was not found";
-}
+// By Remedy::Cause: a clause, and what to change where no other setting helps.
+constexpr const char* any_change = "Use softer springs, larger masses or slower motion: ";
+constexpr std::array<std::array<const char*, 2>, 8> causes{{
+    {"", ""},
+    {"", ""},
+    {"the step is beyond the linear stability limit of ", any_change},
+    {"the listed forces are the cause", "Weaken the listed forces: "},
+    {"contact is the cause", "Move apart or slow down what touches: "},
+    {"the hand is the cause", "Move the hand more slowly: "},
+    {"springs rotate far within a step, which the linear stability limit does not cover", any_change},
+    {"the cause was not found", any_change},
+}};
 
-// Where no other setting helps.
-std::string change_for(Remedy::Cause cause) {
-  using enum Remedy::Cause;
-  if (cause == Force) return "Weaken the listed forces: ";
-  if (cause == Contact) return "Move apart or slow down what touches: ";
-  if (cause == Hand) return "Move the hand more slowly: ";
-  return "Use softer springs, larger masses or slower motion: ";
+std::string cause_of(const Remedy& remedy, const Settings& settings) {
+  const bool is_step = remedy.cause == Remedy::Cause::StepTooLong;
+  return causes[static_cast<std::size_t>(remedy.cause)][0] + std::string(is_step ? settings.integrator->label : "");
 }
 
 std::string untested(const Remedy& remedy) {
@@ -74,7 +64,7 @@ std::string without_remedy(const Remedy& remedy, const Settings& settings) {
     tried += ", " + std::to_string(remedy.settings_cut_short) + " of them only up to the work limit of the search";
   if (remedy.settings_left > 0) tried += "; " + std::to_string(remedy.settings_left) + " more were not, because of that limit";
   if (remedy.change) return "Undo " + remedy.change->text + ", without which it does not diverge: " + tried + ".";
-  return change_for(remedy.cause) + cause_of(remedy, settings) + "; no remedy was found: " + tried + ".";
+  return causes[static_cast<std::size_t>(remedy.cause)][1] + cause_of(remedy, settings) + "; no remedy was found: " + tried + ".";
 }
 
 }  // namespace
