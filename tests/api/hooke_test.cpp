@@ -227,8 +227,12 @@ TEST(Interface, NamesWhatAPointTouchesAndTheNormalThere) {
   expect(partner_of(4, square + R"(, "faces": [[0, 1, 2], [0, 2, 3]], "contact": {"faces": true})", 30), Kind::Face, 1, {0, 1, 0});
   const std::string rope = R"("points": [{"position": [-1, 0, 0], "nailed": true}, {"position": [0, 0, 0], "nailed": true},
     {"position": [1, 0, 0], "nailed": true}, {"position": [0.5, 0.12, 0], "radius": 0.1}])";
-  expect(partner_of(3, rope + R"(, "springs": [{"points": [0, 1]}, {"points": [1, 2]}], "contact": {"springs": true})", 30), Kind::Spring,
-         1, {0, 1, 0});
+  expect(
+      partner_of(
+          3,
+          rope + R"(, "springs": [{"points": [0, 1], "stiffness": 10}, {"points": [1, 2], "stiffness": 10}], "contact": {"springs": true})",
+          30),
+      Kind::Spring, 1, {0, 1, 0});
 }
 
 TEST(Interface, StepsForATimeOnSeveralThreads) {

@@ -32,7 +32,8 @@ TEST(ContinuousIntegration, ARunStatesItsVersionAndItsParameters) {
 
   // also what the method does not use, and what exceeds the range of the slider
   const rapidjson::Document single = parse_json(
-      run_headless("run cloth --seconds 0.1 --precision single --set damped_springs=off --set substeps=2000 --set iterations=300 --json - -q")
+      run_headless(
+          "run drum_32 --seconds 0.05 --precision single --set damped_springs=off --set substeps=2000 --set iterations=300 --json - -q")
           .out);
   EXPECT_STREQ(single["precision"].GetString(), "single");
   EXPECT_EQ(single["substeps"].GetInt(), 2000);
