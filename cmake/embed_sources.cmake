@@ -17,8 +17,8 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   return()
 endif()
 
-# As a script it writes OUT, a C++ file that defines FUNCTION of HEADER, a list of TYPE: each of NAMES with the text of this file in FOLDER or, if there is
-# none, with those of NAME.vert and NAME.frag.
+# As a script it writes OUT, a C++ file that defines FUNCTION of HEADER, a list of TYPE: each of NAMES with the text of this file in FOLDER
+# or, if there is none, with those of NAME.vert and NAME.frag.
 # cmake -DOUT=... -DFOLDER=... -DNAMES=a,b.comp -DHEADER=... -DTYPE=... -DFUNCTION=... -P embed_sources.cmake
 string(REPLACE "," ";" names "${NAMES}")
 set(rows "")

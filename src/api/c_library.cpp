@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <limits>
 
@@ -10,11 +9,11 @@ using namespace hooke::v1;
 
 struct hooke_scene {
   Scene of;
-  std::string json{};
+  std::string text{};  // the last one that was asked for
 };
 struct hooke_simulation {
   Simulation of;
-  std::string diagnosis;
+  std::string text{};
 };
 
 namespace {
@@ -24,7 +23,7 @@ thread_local int last_code = 0;
 
 void note(int code, const char* error) {
   last_code = code;
-  std::snprintf(last_error, sizeof last_error, "%s", error);
+  last_error[std::string_view(error).copy(last_error, sizeof last_error - 1)] = '\0';
 }
 
 // What `work` returns, or `failed`. No exception leaves a function of C.
@@ -110,13 +109,13 @@ int hooke_scene_save(hooke_scene* scene, const char* file) { return call(scene, 
 int64_t hooke_scene_point_count(const hooke_scene* scene) { return ask<int64_t>(-1, scene, &S::point_count); }
 int64_t hooke_scene_spring_count(const hooke_scene* scene) { return ask<int64_t>(-1, scene, &S::spring_count); }
 const char* hooke_scene_json(hooke_scene* scene) {
-  return answer<const char*>(nullptr, [&] { return (given(scene)->json = scene->of.json()).c_str(); });
+  return answer<const char*>(nullptr, [&] { return (given(scene)->text = scene->of.json()).c_str(); });
 }
 
 hooke_simulation* hooke_simulation_new(const hooke_scene* scene, int accuracy) {
   return answer<hooke_simulation*>(nullptr, [&] {
     if (accuracy < HOOKE_ACCURACY_OFF || accuracy > HOOKE_ACCURACY_FULL) throw Error(Error::Kind::Usage, "accuracy: must be from 0 to 2");
-    return new hooke_simulation{Simulation(given(scene)->of, static_cast<Simulation::Accuracy>(accuracy)), {}};
+    return new hooke_simulation{Simulation(given(scene)->of, static_cast<Simulation::Accuracy>(accuracy))};
   });
 }
 void hooke_simulation_free(hooke_simulation* simulation) { delete simulation; }
@@ -124,10 +123,7 @@ int hooke_simulation_frame(hooke_simulation* simulation) { return ask(-1, simula
 int hooke_simulation_step(hooke_simulation* simulation, double seconds) { return ask(-1, simulation, step_seconds, seconds); }
 int hooke_simulation_set_threads(hooke_simulation* simulation, int threads) { return call(simulation, &R::set_threads, threads); }
 const char* hooke_simulation_diagnosis(hooke_simulation* simulation) {
-  return answer<const char*>(nullptr, [&] {
-    std::string diagnosis = given(simulation)->of.diagnosis();
-    return (simulation->diagnosis = std::move(diagnosis)).c_str();
-  });
+  return answer<const char*>(nullptr, [&] { return (given(simulation)->text = simulation->of.diagnosis()).c_str(); });
 }
 
 hooke_scene* hooke_simulation_scene(const hooke_simulation* simulation) {

@@ -24,6 +24,7 @@ struct Features {
   Features(const Scene& scene, const SurfacePlan& surface) {
     const System& system = scene.system;
     double size = 0.0, radius = 0.0;
+    for (const Point& point : system.points()) radius = std::max(radius, point.radius);
     const auto add = [&](Contact::Partner kind, Index number, std::initializer_list<PointId> ids) {
       Feature feature{.kind = kind, .number = number};
       std::ranges::transform(ids, feature.points.begin(), [&](PointId id) { return system.index_of(id); });
@@ -37,9 +38,8 @@ struct Features {
     if (system.contact.springs)
       for (Index n = 0; const Spring& each : system.springs()) add(Contact::Partner::Spring, n++, {each.first, each.second, each.second});
     const auto add_point = [&](Index n) {
-      const Point& point = system.points()[n];
-      add(Contact::Partner::Point, n, {point.id, point.id, point.id});
-      radius = std::max(radius, point.radius);
+      const PointId id = system.points()[n].id;
+      add(Contact::Partner::Point, n, {id, id, id});
     };
     for (Index n = 0; system.contact.points && n < system.point_count(); ++n) add_point(n);
     for (const SurfacePiece& piece : surface.pieces)
