@@ -109,7 +109,7 @@ int hooke_scene_save(hooke_scene* scene, const char* file) { return call(scene, 
 int64_t hooke_scene_point_count(const hooke_scene* scene) { return ask<int64_t>(-1, scene, &S::point_count); }
 int64_t hooke_scene_spring_count(const hooke_scene* scene) { return ask<int64_t>(-1, scene, &S::spring_count); }
 const char* hooke_scene_json(hooke_scene* scene) {
-  return answer<const char*>(nullptr, [&] { return (given(scene)->text = scene->of.json()).c_str(); });
+  return answer<const char*>(nullptr, [&] { return given(scene), (scene->text = scene->of.json()).c_str(); });
 }
 
 hooke_simulation* hooke_simulation_new(const hooke_scene* scene, int accuracy) {
@@ -123,7 +123,7 @@ int hooke_simulation_frame(hooke_simulation* simulation) { return ask(-1, simula
 int hooke_simulation_step(hooke_simulation* simulation, double seconds) { return ask(-1, simulation, step_seconds, seconds); }
 int hooke_simulation_set_threads(hooke_simulation* simulation, int threads) { return call(simulation, &R::set_threads, threads); }
 const char* hooke_simulation_diagnosis(hooke_simulation* simulation) {
-  return answer<const char*>(nullptr, [&] { return (given(simulation)->text = simulation->of.diagnosis()).c_str(); });
+  return answer<const char*>(nullptr, [&] { return given(simulation), (simulation->text = simulation->of.diagnosis()).c_str(); });
 }
 
 hooke_scene* hooke_simulation_scene(const hooke_simulation* simulation) {
