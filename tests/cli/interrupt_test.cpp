@@ -88,7 +88,7 @@ TEST(Interrupt, ASweepKeepsItsRowsAndMarksThem) {
 TEST(Interrupt, ABenchmarkKeepsWhatWasMeasuredAndMarksIt) {
   const ScratchFolder scratch;
   const fs::path results = scratch.folder / "out" / "bench.json";
-  EXPECT_EQ(code_after(SIGTERM, "bench two_masses --out out -q", scratch.folder, [&] { return fs::exists(results); }), 143);
+  EXPECT_EQ(code_after(SIGTERM, "bench two_masses --quick --out out -q", scratch.folder, [&] { return fs::exists(results); }), 143);
   const rapidjson::Document json = parse_json(contents(results));
   EXPECT_FALSE(json["parts"][0]["complete"].GetBool());
   EXPECT_GE(json["scenes"][0]["rows"].Size(), 1u);
