@@ -1,6 +1,5 @@
 #!/bin/bash
-# Tests the completions that file $1 of bash and, where they are installed, files $2 of fish and $3 of zsh offer for some incomplete command
-# lines.
+# Tests the completions that file $1 of bash and, where fish is installed, file $2 of fish offer for some incomplete command lines.
 . /usr/share/bash-completion/bash_completion
 . "$1"
 
@@ -15,6 +14,7 @@ expect() {
   exit 1
 }
 
+fish=${2:+$(realpath "$2")}
 cd "$(mktemp -d)" || exit 1
 touch mine.json
 expect convert hooke conv
@@ -43,7 +43,7 @@ expect_fish() {
   echo "after \"$2\" fish offers \"$offered\" instead of \"$1\"" >&2
   exit 1
 }
-fish=$2
+
 if command -v fish > /dev/null && [ -n "$fish" ]; then
   expect_fish velocity_verlet,tr_bdf2 'hooke bench --methods velocity_verlet,tr_'
   expect_fish reading=plain,per_strain 'hooke sweep rope --vary reading=plain,per'

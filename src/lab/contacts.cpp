@@ -86,7 +86,8 @@ std::vector<Contact> find_contacts(const Lab& lab) {
   const Features features(lab.scene(), lab.plan().surface);
   for (std::size_t i = 0; i < forces.size(); ++i)
     if (forces[i] != Vec3(0.0))
-      find_partner(lab.scene(), lab.plan().pairs, features, contacts.emplace_back(static_cast<Index>(i), forces[i]));
+      find_partner(lab.scene(), lab.plan().pairs, features,
+                   contacts.emplace_back(Contact{.point = static_cast<Index>(i), .force = forces[i]}));
   return contacts;
 }
 
