@@ -13,16 +13,25 @@ execute_process(COMMAND ${GZIP} -9nkf ${made}/changelog COMMAND_ERROR_IS_FATAL A
 if(NOT HOOKE_LIBRARY_ONLY)
 # Compressed without timestamps, so that the same sources give the same package.
 add_custom_command(
-  OUTPUT ${made}/hooke.1.gz ${made}/hooke.bash ${made}/hooke.zsh ${made}/hooke.fish
+  OUTPUT ${made}/hooke.1.gz
   COMMAND make_manual man > ${made}/hooke.1
   COMMAND ${GZIP} -9nf ${made}/hooke.1
-  COMMAND make_manual bash > ${made}/hooke.bash
-  COMMAND make_manual zsh > ${made}/hooke.zsh
-  COMMAND make_manual fish > ${made}/hooke.fish
   DEPENDS make_manual
   VERBATIM
 )
-add_custom_target(package_files ALL DEPENDS ${made}/hooke.1.gz)
+set(completions)
+foreach(shell IN ITEMS bash zsh fish)
+  set(part ${packaging}/completion/hooke.${shell})
+  add_custom_command(
+    OUTPUT ${made}/hooke.${shell}
+    COMMAND cat ${part} > ${made}/hooke.${shell}
+    COMMAND make_manual completion | awk -f ${part}.awk >> ${made}/hooke.${shell}
+    DEPENDS make_manual ${part} ${part}.awk
+    VERBATIM
+  )
+  list(APPEND completions ${made}/hooke.${shell})
+endforeach()
+add_custom_target(package_files ALL DEPENDS ${made}/hooke.1.gz ${completions})
 
 install(FILES ${made}/hooke.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${made}/hooke.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME hooke-headless.1.gz)

@@ -16,13 +16,13 @@ TypeError for an argument of the wrong type.
 from ._hooke import Error, FileError, InputError, MissingFileError, UnknownNameError, UsageError
 from ._hooke import version as __version__
 from .commands import HardCases, bench, check, check_hard, convert, merge_benches, merge_sweeps, replay, render_recording
-from .lab import Lab
+from .lab import Contact, Lab
 from .results import Chart, Check, Energy, Replay, Run, Sweep
 from .scene import CaptureResult, HookeWarning, Scene, load
-from .tables import methods, parameters, quantities, scenes, shapes
+from .tables import forces, methods, parameters, quantities, scenes, shapes
 
 __all__ = [
-    "CaptureResult", "Chart", "Check", "Energy", "Error", "FileError", "HardCases", "HookeWarning", "InputError", "Lab",
+    "CaptureResult", "Chart", "Check", "Contact", "Energy", "Error", "FileError", "HardCases", "HookeWarning", "InputError", "Lab",
     "MissingFileError", "Replay", "Run", "Scene", "Sweep", "UnknownNameError", "UsageError", "bench", "check", "check_hard", "convert",
-    "load", "merge_benches", "merge_sweeps", "methods", "parameters", "quantities", "render_recording", "replay", "scenes", "shapes",
+    "forces", "load", "merge_benches", "merge_sweeps", "methods", "parameters", "quantities", "render_recording", "replay", "scenes", "shapes",
 ]

@@ -1,12 +1,17 @@
-"""Methods of Scene that add shapes: one for each row of the table of shapes. _shapes.pyi has their types."""
+"""Methods of Scene that add shapes, one for each row of the table of shapes, colliders and forces. _shapes.pyi has their types."""
 
 from __future__ import annotations
 
 import inspect
 import keyword
+from collections.abc import Callable
 from typing import Any
 
+from numpy.typing import ArrayLike
+
 from . import _hooke
+from ._arguments import array
+from ._parameters import Array
 from .tables import shape_text
 
 
@@ -22,6 +27,23 @@ class Shapes:
         """
         named = {name.removesuffix("_"): value for name, value in fields.items() if value is not None}
         return self._add("generators", {"type": type, **named}, f"add_{type}" if hasattr(Shapes, f"add_{type}") else "add_shape")
+
+    def add_collider(self, type: str, **fields: Any) -> None:
+        """Adds a "plane" (point, normal), a "sphere" (center, radius) or a "box" (min, max) [m]; restitution, friction [1]."""
+        self._add("colliders", {"type": type, **fields}, "add_collider")
+
+    def add_force(self, force: str | Callable[[float, Array, Array], ArrayLike], **fields: Any) -> None:
+        """Adds a force of the table in docs/reference/scene-format.md, such as "wind", or a function.
+
+        force(time, positions, velocities) receives the time [s] and arrays of shape (points, 3) [m], [m/s], and returns the forces [N] in
+        the same shape. It is called at every evaluation of the forces, at least twice per substep, which is slow: microseconds per call
+        instead of nanoseconds. It must depend on its arguments only. A method's stability limit does not take it into account.
+        """
+        if callable(force):
+            function = force
+            self._bound.add_force(lambda time, positions, velocities: array("forces", function(time, positions, velocities)))
+        else:
+            self._add("forces", {"type": force, **fields}, "add_force")
 
     def _add(self, key: str, item: dict[str, Any], caller: str) -> range:
         raise NotImplementedError

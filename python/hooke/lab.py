@@ -6,7 +6,7 @@ import contextlib
 import copy
 import os
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,6 +22,21 @@ if TYPE_CHECKING:
 
 def _restore(scene: Scene, accuracy: str, execution: tuple[int, str, str]) -> Lab:
     return Lab(_hooke.Lab(scene._bound, accuracy, *execution))
+
+
+class Contact(NamedTuple):
+    """A point that touched something in the last frame.
+
+    kind: "collider", "point", "spring" or "face", what it most probably touched: the nearest part of the scene in the direction of the force
+        now; or "unknown"
+    number: of that part in its list; normal: from it to the point; force: the mean over the frame [N]
+    """
+
+    point: int
+    kind: str
+    number: int
+    normal: tuple[float, float, float]
+    force: tuple[float, float, float]
 
 
 class Lab(Parameterized):
@@ -106,6 +121,11 @@ class Lab(Parameterized):
     def contact_forces(self) -> Array:
         """Mean force of contact on every point over the last frame [N], (points, 3); zero where nothing touched, and for nails."""
         return self._loads("contact")
+
+    @property
+    def contacts(self) -> list[Contact]:
+        """What touched something in the last frame, in the order of the points."""
+        return [Contact(*contact) for contact in self._bound.contacts()]
 
     @contextlib.contextmanager
     def edit(self) -> Iterator[tuple[Array, Array]]:

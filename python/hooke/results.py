@@ -214,7 +214,8 @@ class Check(NamedTuple):
 
 
 class Replay(NamedTuple):
-    """A replayed recording. difference: the first frame and point that differ from the recorded ones; empty if every frame is equal."""
+    """A replayed recording. difference: the first frame and point that differ from the recorded ones, or that its last line is incomplete;
+    empty if every frame is equal."""
 
     frames: int
     hash: str

@@ -171,26 +171,10 @@ class Scene(Parameterized, Shapes):
 
     # Building
 
-    def add_collider(self, type: str, **fields: Any) -> None:
-        """Adds a "plane" (point, normal), a "sphere" (center, radius) or a "box" (min, max) [m]; restitution, friction [1]."""
-        self._add("colliders", {"type": type, **fields}, "add_collider")
-
-    def add_force(self, force: str | Callable[[float, Array, Array], ArrayLike], **fields: Any) -> None:
-        """Adds a force of the table in docs/reference/scene-format.md, such as "wind", or a function.
-
-        force(time, positions, velocities) receives the time [s] and arrays of shape (points, 3) [m], [m/s], and returns the forces [N] in
-        the same shape. It is called at every evaluation of the forces, at least twice per substep, which is slow: microseconds per call
-        instead of nanoseconds. It must depend on its arguments only. A method's stability limit does not take it into account.
-        """
-        if callable(force):
-            function = force
-            self._bound.add_force(lambda time, positions, velocities: array("forces", function(time, positions, velocities)))
-        else:
-            self._add("forces", {"type": force, **fields}, "add_force")
-
     def _add(self, key: str, item: dict[str, Any], caller: str) -> range:
         first = self.point_count
-        known = [field[0] for row in _hooke.shapes() if row["id"] == item["type"] for field in row["fields"]] + ["nail", "color"]
+        rows = _hooke.shapes() + _hooke.forces()
+        known = [field[0] for row in rows if row["id"] == item["type"] for field in row["fields"]] + ["nail", "color"]
         with _fields(f"{key}[0]", caller, known):
             self._bound.add(f"{json.dumps(key)}: [{json.dumps(json_value('', item))}]", "scene")
         return range(first, self.point_count)

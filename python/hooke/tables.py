@@ -22,6 +22,11 @@ def shapes() -> list[dict[str, Any]]:
     return _hooke.shapes()
 
 
+def forces() -> list[dict[str, Any]]:
+    """The forces that Scene.add_force adds by name: id, description, fields (name, unit or words, default)."""
+    return _hooke.forces()
+
+
 def quantities() -> list[dict[str, Any]]:
     """The quantities of `hooke run --csv` and of sweeps: name, unit, description."""
     return _hooke.quantities()

@@ -50,4 +50,9 @@ def test_contact_forces_are_those_of_the_module():
     forces = np.empty((scene.point_count, 3))
     assert c.hooke_simulation_contact_forces(simulation, forces.ctypes.data_as(ctypes.c_void_p)) == 0
     assert forces.any() and np.array_equal(forces, lab.contact_forces)
+    touching = [contact.point for contact in lab.contacts]
+    assert touching == np.flatnonzero(forces.any(axis=1)).tolist()
+    for contact in lab.contacts:
+        assert contact.kind in ("collider", "point") and np.array_equal(contact.force, forces[contact.point])
+        assert np.dot(contact.normal, contact.force) > 0 and abs(np.linalg.norm(contact.normal) - 1) < 1e-12
     c.hooke_simulation_free(simulation)

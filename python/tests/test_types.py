@@ -44,6 +44,17 @@ scene.add_clothe()  # type: ignore[attr-defined]
 scene.add_cloth(foo=1)  # type: ignore[call-arg]
 word: str = lab["dimensions"]  # type: ignore[assignment]
 scene.add_point((0, 0, 0), weight=1)  # type: ignore[call-arg]
+scene.add_force("wind", x=3, gusts=0.5, on=True)
+scene.add_force("wimd")  # type: ignore[call-overload]
+scene.add_force("wind", xx=3)  # type: ignore[call-overload]
+scene.add_force("wind", x="3")  # type: ignore[call-overload]
+scene.add_force("bending", rest="bent")  # type: ignore[call-overload]
+scene.add_force(lambda time: 0)  # type: ignore[arg-type,misc]
+scene.add_collider("plane", point=(0, 0, 0), normal=(0, 1, 0), friction=0.5)
+scene.add_collider("cube", min=(0, 0, 0), max=(1, 1, 1))  # type: ignore[call-overload]
+scene.add_collider("sphere", center=(0, 0, 0))  # type: ignore[call-overload]
+scene.add_collider("sphere", center=(0, 0, 0), radius="1")  # type: ignore[call-overload]
+scene.add_collider("plane", center=(0, 0, 0), radius=1)  # type: ignore[call-overload]
 """
 
 

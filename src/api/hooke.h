@@ -105,6 +105,14 @@ struct HOOKE_PUBLIC Collider {
   double radius = 0.0;   // [m], of a sphere
 };
 
+// What a point touched, by its number in its list, and the normal towards the point.
+struct HOOKE_PUBLIC Partner {
+  enum class Kind { Unknown, Collider, Point, Spring, Face };
+  Kind kind = Kind::Unknown;
+  std::int64_t number = -1;
+  Vector normal;
+};
+
 // A running scene.
 class HOOKE_PUBLIC Simulation {
  public:
@@ -149,6 +157,8 @@ class HOOKE_PUBLIC Simulation {
   // Of the last frame: the points that touched something, and x, y, z of the mean force of contact on every point [N]; zero for nails.
   std::vector<std::int64_t> contacts() const;
   std::vector<double> contact_forces() const;
+  // Of each of `contacts`: what it most probably touched, the nearest part of the scene in the direction of the force.
+  std::vector<Partner> contact_partners() const;
 
   // RMS over the points of the distance from the exact motion since the start [m], and what the last measured frame added; NaN: not known.
   double error() const;

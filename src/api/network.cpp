@@ -57,14 +57,19 @@ std::vector<double> Simulation::rest_lengths() const {
 std::vector<double> Simulation::tensions() const { return compute_loads(data().lab).tension; }
 
 std::vector<double> Simulation::reactions() const { return components(compute_loads(data().lab).reaction); }
-std::vector<double> Simulation::contact_forces() const { return components(compute_loads(data().lab).contact); }
+std::vector<double> Simulation::contact_forces() const { return components(hooke::contact_forces(data().lab)); }
 
 std::vector<std::int64_t> Simulation::contacts() const {
-  const std::vector<Vec3> forces = compute_loads(data().lab).contact;
+  const std::vector<Vec3> forces = hooke::contact_forces(data().lab);
   std::vector<std::int64_t> points;
   for (std::size_t i = 0; i < forces.size(); ++i)
     if (forces[i] != Vec3(0.0)) points.push_back(static_cast<std::int64_t>(i));
   return points;
+}
+std::vector<Partner> Simulation::contact_partners() const {
+  return values<Partner>(find_contacts(data().lab), [](const Contact& contact) {
+    return Partner{static_cast<Partner::Kind>(contact.partner), contact.number, to_vector(contact.normal)};
+  });
 }
 
 std::vector<Collider> Simulation::colliders() const {

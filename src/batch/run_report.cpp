@@ -30,10 +30,11 @@ void write_choice(JsonWriter& json, const MethodChoice& choice, double allowed) 
   json.number("ratio", choice.error ? std::optional(*choice.error / allowed) : std::nullopt);
 }
 
-// Null: the scene does not have it.
+// Null: the scene has no parts that it sets, or it is not given.
 void write_value(JsonWriter& json, const Parameter& parameter, const Scene& scene) {
   json.key(parameter.name);
-  const bool is_known = (parameter.applies == nullptr || parameter.applies(scene)) && parameter.is_given(scene);
+  const bool is_of_scene = parameter.scope == Parameter::Scope::Number || parameter.scope == Parameter::Scope::Setting;
+  const bool is_known = (is_of_scene || parameter.applies == nullptr || parameter.applies(scene)) && parameter.is_given(scene);
   const double value = is_known ? parameter.read(scene) : 0.0;
   if (!is_known || !std::isfinite(value)) return json.null();
   if (&parameter == &dimensions_parameter) return json.integer(scene.system.dimensions);
@@ -59,7 +60,11 @@ std::optional<std::vector<Index>> parse_points(const std::optional<std::string>&
   return points;
 }
 
-JsonReport::JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene) : file_(file) {
+ComputedBy computed_by(const Execution& execution) {
+  return {.precision = execution.single == nullptr ? "double" : "single", .device = execution.device == nullptr ? "cpu" : "gpu"};
+}
+
+JsonReport::JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene, const ComputedBy& by) : file_(file) {
   json_.begin_object(JsonLayout::Lines);
   json_.text("version", program_version);
   json_.text("scene", scene_name);
@@ -70,6 +75,8 @@ JsonReport::JsonReport(const std::string& file, const std::string& scene_name, c
   if (is_automatic(scene.settings)) json_.number("tolerance", automatic_tolerance(scene.settings));
   allowed_error_ = automatic_tolerance(scene.settings) / scene.settings.frame_rate;
   json_.number("frame_rate", scene.settings.frame_rate);
+  json_.text("precision", by.precision);
+  json_.text("device", by.device);
   json_.begin_object("parameters", JsonLayout::Line);
   for (const Parameter& parameter : parameters()) write_value(json_, parameter, scene);
   json_.end();
@@ -179,9 +186,9 @@ std::vector<Quantity> wanted_quantities(const std::optional<std::string>& list, 
 }  // namespace
 
 RunOutput::RunOutput(const RunFiles& files, const std::string& scene_name, const Scene& scene,
-                     const std::optional<std::vector<Index>>& points)
+                     const std::optional<std::vector<Index>>& points, const ComputedBy& by)
     : scene_(scene), points_(points), has_chosen_quantities_(files.quantities.has_value()) {
-  if (files.json) json_.emplace(*files.json, scene_name, scene);
+  if (files.json) json_.emplace(*files.json, scene_name, scene, by);
   if (files.csv) csv_.emplace(*files.csv, wanted_quantities(files.quantities, points, scene.system));
   if (files.pc2) pc2_.emplace(*files.pc2, scene.system.point_count());
 }

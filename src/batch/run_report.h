@@ -13,13 +13,20 @@
 #include "scene/quantity.h"
 #include "scene/scene.h"
 #include "sim/forces/energy/energy.h"
+#include "sim/plan/execution.h"
 
 namespace hooke {
+
+// What computes the frames: "double" or "single"; "cpu", "gpu" or the command of an engine.
+struct ComputedBy {
+  std::string precision = "double", device = "cpu";
+};
+ComputedBy computed_by(const Execution& execution);
 
 // The JSON object of `run --json`. Unknown members are null.
 class JsonReport {
  public:
-  JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene);
+  JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene, const ComputedBy& by);
   // `points`: none: all. What is not in the scene at that time is null.
   void add_sample(const System& system, const State& state, const Accuracy& accuracy, const std::optional<std::vector<Index>>& points);
   void finish(const RunTotals& totals);
@@ -59,7 +66,8 @@ std::optional<std::vector<Index>> parse_points(const std::optional<std::string>&
 class RunOutput {
  public:
   // Opens the files for samples of these points; none: all. The scene must outlive it. Throws UsageError for an unknown quantity.
-  RunOutput(const RunFiles& files, const std::string& scene_name, const Scene& scene, const std::optional<std::vector<Index>>& points);
+  RunOutput(const RunFiles& files, const std::string& scene_name, const Scene& scene, const std::optional<std::vector<Index>>& points,
+            const ComputedBy& by);
   // Whether the files contain errors; whether a chosen quantity is one, which is then not null only if they are measured.
   bool needs_accuracy() const { return json_ || has_chosen_errors(); }
   bool has_chosen_errors() const { return csv_ && has_chosen_quantities_ && csv_->needs_accuracy(); }

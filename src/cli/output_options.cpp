@@ -8,7 +8,7 @@ void add_output_options(CLI::App& app, OutputOptions& options, Summary summary) 
                  "Sample at the start and at the end of the first frame at or after each multiple of DT, without interpolation [s]; "
                  "default: only the last state")
       ->type_name("DT")
-      ->check(within(positive));
+      ->transform(within(positive));
   app.add_option("--points", options.points, "Points to sample, numbered from 0; default: all")->type_name("0,5,9");
   app.add_option("--json", options.files.json, "Write the run and its samples as JSON; - for stdout")->type_name("FILE");
   app.add_option("--csv", options.files.csv, "Write one row per sample: time, energies, positions; - for stdout")->type_name("FILE");

@@ -17,15 +17,14 @@ namespace hooke {
 
 CLI::Validator within(const Bounds& bounds) {
   const auto check = [bounds](std::string& text) {
-    double value = 0.0;
-    std::string reason;
-    if (!CLI::detail::lexical_cast(text, value))
-      reason = "not a number: " + bounds.text();
-    else if (!std::isfinite(value))
-      reason = "not a finite number: " + bounds.text();
-    else
-      reason = why_refused(value, bounds);
-    return reason.empty() ? reason : printable(text, 80) + ": " + reason;
+    const std::optional<double> value = parse_number(text);
+    double any = 0.0;  // CLI11 knows numbers that are not finite, and reads 0x10 as 16 and 010 as 8
+    const bool is_infinite = !value && CLI::detail::lexical_cast(text, any) && !std::isfinite(any);
+    const std::string reason =
+        value ? why_refused(*value, bounds) : (is_infinite ? "not a finite number: " : "not a number: ") + bounds.text();
+    if (!reason.empty()) return printable(text, 80) + ": " + reason;
+    text = format_exact(*value);
+    return reason;
   };
   return CLI::Validator(check, "", "");
 }
@@ -63,14 +62,14 @@ std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene) {
   app.add_option("--integrator", options->integrator, "Method: " + ids_of_integrators())->type_name("ID");
   app.add_option("--substeps", options->substeps, "Integration steps per frame")
       ->type_name("N")
-      ->check(within({.min = 1, .max = max_substeps}));
-  app.add_option("--frame-rate", options->frame_rate, "Frames per simulated second [1/s]")->type_name("RATE")->check(within(positive));
+      ->transform(within({.min = 1, .max = max_substeps}));
+  app.add_option("--frame-rate", options->frame_rate, "Frames per simulated second [1/s]")->type_name("RATE")->transform(within(positive));
   app.add_option(
          "--tolerance", options->tolerance,
          "With auto, which it selects unless a method is named: RMS error of the positions that a simulated second may add; with dop853: "
          "local error per step [m]")
       ->type_name("METERS")
-      ->check(within(positive));
+      ->transform(within(positive));
   app.add_option("--set", options->settings, "Set a parameter; may be repeated: " + names_of_parameters())
       ->type_name("NAME=VALUE")
       ->expected(1)
@@ -90,7 +89,7 @@ std::optional<std::string> first_stepping_option(const CLI::App& app) {
 void add_threads_option(CLI::App& app, int& threads) {
   app.add_option("--threads", threads, "Threads that compute a frame, with the same bits; scenes of less than 2000 points use one")
       ->type_name("N")
-      ->check(within({.min = 1, .max = max_parts}))
+      ->transform(within({.min = 1, .max = max_parts}))
       ->capture_default_str();
 }
 
@@ -110,7 +109,7 @@ void add_fail_above_option(CLI::App& app, std::optional<double>& limit) {
   app.add_option("--fail-above", limit,
                  "Exit with 1 if the accumulated error exceeds this or is not known, and name the first such frame [m]")
       ->type_name("METERS")
-      ->check(within(positive));
+      ->transform(within(positive));
 }
 
 void add_shard_option(CLI::App& app, std::string& shard) {
@@ -127,7 +126,8 @@ Scene open_scene(const SceneOptions& options) {
 
 std::string explain_divergence(Lab& lab, const SceneOptions& options, double seconds, const State* before) {
   lab.publish();
-  if (const DiagnosisStatus& diagnosis = lab.status()->diagnosis; diagnosis.is_too_large) throw InputError(diagnosis.message);
+  if (const DiagnosisStatus& diagnosis = lab.status()->diagnosis; diagnosis.is_too_large)
+    throw InputError(diagnosis.message + " Use an explicit method, such as velocity_verlet.");
   if (options.quiet) return explain_divergence(lab, nullptr, seconds);
   std::cerr << "Looking for the cause and for a setting that does not diverge...\n" << std::flush;
   // opened again, because a copy of a large scene is not kept during the run

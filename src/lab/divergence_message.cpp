@@ -36,32 +36,31 @@ std::string describe_growth(double factor) {
 }  // namespace
 
 std::string describe(const Divergence& divergence, const System& system) {
-  const std::string location = describe_location(divergence, system), blew_up = "The simulation blew up: ";
-  const std::string when = " Stopped at t = " + number_text(divergence.time) + " s.";
+  const std::string location = describe_location(divergence, system), when = " at t = " + number_text(divergence.time) + " s";
+  const std::string blew_up = "The simulation blew up" + when + ": ";
   switch (divergence.kind) {
     case Divergence::Kind::NotFinite:
-      return blew_up + location + " became infinite or NaN." + when;
+      return blew_up + location + " became infinite or NaN.";
     case Divergence::Kind::EnergyGain:
-      return blew_up + "energy grew " + describe_growth(divergence.energy / divergence.scale) + ", first at " + location + "." + when;
+      return blew_up + "energy grew " + describe_growth(divergence.energy / divergence.scale) + ", first at " + location + ".";
     case Divergence::Kind::Implausible:
       return blew_up + location + " is " +
              (divergence.distance < 1e4 ? formatted("%.0f m", divergence.distance) : quantity_text(divergence.distance, "m", 2)) +
-             " away, farther than any motion can have taken it." + when;
+             " away, farther than any motion can have taken it.";
     case Divergence::Kind::StepTooShort:
-      return "The method finds no step short enough, first at " + location + "." + when;
+      return "The method finds no step short enough" + when + ", first at " + location + ".";
     case Divergence::Kind::TooManySteps:
       return "The method needs more than " + std::to_string(max_adaptive_evaluations / 1'000'000) + " million force evaluations, or " +
-             std::to_string(max_adaptive_surface_steps) + " steps with contact of faces or springs, in one frame; fastest is " + location +
-             "." + when;
+             std::to_string(max_adaptive_surface_steps) + " steps with contact of faces or springs, in the frame" + when + "; fastest is " +
+             location + ".";
     case Divergence::Kind::TooManyPairs:
-      return "More than " + std::to_string(PairSolver::max_pairs) +
-             " pairs of points come within reach of each other in one substep, or contact takes too much work in a frame; fastest is " +
-             location + "." + when;
+      return "More than " + std::to_string(PairSolver::max_pairs) + " pairs of points come within reach of each other in one substep" +
+             when + ", or contact takes too much work in a frame; fastest is " + location + ".";
     case Divergence::Kind::MatrixTooLarge:
       return "The network is too large for an implicit method: it would need more than " + std::to_string(max_factor_entries / 1'000'000) +
-             " million entries in the factor of its matrix." + when;
+             " million entries in the factor of its matrix.";
   }
-  return location + "." + when;
+  return location + when + ".";
 }
 
 }  // namespace hooke

@@ -36,11 +36,17 @@ Loads compute_loads(const Lab& lab) {
     reaction = plan.inverse_mass[i] == 0.0 ? -reaction : free_part(plan, i, reaction) - reaction;
   }
 
-  const Field& impulse = lab.last_frame().motion().contact;
-  loads.contact.resize(state.position.size());
-  if (impulse.size() == motion.x.size()) loads.contact = unpacked(impulse);
-  for (Vec3& force : loads.contact) force *= lab.scene().settings.frame_rate;
+  loads.contact = contact_forces(lab);
   return loads;
+}
+
+std::vector<Vec3> contact_forces(const Lab& lab) {
+  const Plan& plan = lab.plan();
+  const Field& impulse = lab.last_frame().motion().contact;
+  std::vector<Vec3> forces(lab.scene().state.position.size(), Vec3(0.0));
+  if (impulse.size() != static_cast<std::size_t>(plan.dimensions) * static_cast<std::size_t>(plan.points)) return forces;
+  for (Index i = 0; i < plan.points; ++i) forces[i] = lab.scene().settings.frame_rate * vector_at(plan, impulse, i);
+  return forces;
 }
 
 }  // namespace hooke

@@ -16,5 +16,21 @@ struct Loads {
 };
 
 Loads compute_loads(const Lab& lab);
+// The last of these alone.
+std::vector<Vec3> contact_forces(const Lab& lab);
+
+// A point that touched something in the last frame: the mean force [N] on it, and the part of the scene that it most probably touched, the
+// nearest in the direction of the force in the present state, by its number in its list, with the normal towards the point.
+struct Contact {
+  enum class Partner { Unknown, Collider, Point, Spring, Face };
+  Index point = 0;
+  Vec3 force{0.0};
+  Partner partner = Partner::Unknown;
+  Index number = no_index;
+  Vec3 normal{0.0};
+};
+
+// In ascending order of the points.
+std::vector<Contact> find_contacts(const Lab& lab);
 
 }  // namespace hooke

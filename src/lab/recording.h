@@ -17,6 +17,8 @@ namespace hooke {
 
 inline constexpr int newest_recording_version = 1;
 inline constexpr const char* recording_extension = ".hookelog";
+// About a recording that is_truncated.
+inline constexpr const char* truncated_recording = "its last line is incomplete: the replay ends before it";
 
 // Of a state: its hash_state, and one byte for each group of neighboring points, to locate a difference. In scenes of up to max_groups
 // points each group is a single point.

@@ -176,6 +176,18 @@ py::dict loads_of(NamedLab& lab) {
                   "contact"_a = to_array(loads.contact));
 }
 
+// (point, kind, number, normal, force [N]) of each contact.
+py::list contacts_of(NamedLab& lab) {
+  constexpr const char* kinds[] = {"unknown", "collider", "point", "spring", "face"};
+  const Use use(lab);
+  py::list rows;
+  for (const Contact& each : find_contacts(lab.lab))
+    rows.append(py::make_tuple(each.point, kinds[static_cast<std::size_t>(each.partner)], each.number,
+                               py::tuple(py::cast(std::array{each.normal.x, each.normal.y, each.normal.z})),
+                               py::tuple(py::cast(std::array{each.force.x, each.force.y, each.force.z}))));
+  return rows;
+}
+
 // {"since" [s], "change", ..., "method" [J]}; None: not measured.
 py::object energy_balance_of(NamedLab& lab) {
   const Use use(lab);
@@ -213,7 +225,8 @@ py::tuple replay(const std::string& file, std::int64_t threads, py::object progr
       watch.check(++frames, recording->frames);
     }
   }
-  return py::make_tuple(frames, to_hexadecimal(hash_state(lab.scene().state)), lab.difference());
+  const bool is_cut = recording->is_truncated && lab.difference().empty();
+  return py::make_tuple(frames, to_hexadecimal(hash_state(lab.scene().state)), is_cut ? truncated_recording : lab.difference());
 }
 
 }  // namespace
@@ -266,6 +279,7 @@ void bind_lab(py::module_& module) {
       .def("diagnosis", &diagnosis_of)
       .def("energy", &energy_of)
       .def("loads", &loads_of)
+      .def("contacts", &contacts_of)
       .def_property_readonly("accuracy", [](const NamedLab& lab) { return lab.accuracy; })
       .def_property_readonly("execution", [](const NamedLab& lab) { return py::make_tuple(lab.threads, lab.precision, lab.device); })
       .def("energy_balance", &energy_balance_of)

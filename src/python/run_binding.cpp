@@ -103,7 +103,7 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
   const std::vector<Index> points = points_of(sampled, scene.scene().system.point_count());
   // a run that ends between two samples adds one
   Samples samples(lab->lab, points, SampleClock::max_count(sample, frame_rate, frames) + 1);
-  RunOutput output(files, scene.name, lab->lab.scene(), points);
+  RunOutput output(files, scene.name, lab->lab.scene(), points, computed_by(lab->lab.plan().execution));
   const std::optional<std::string> coarse = output.warning();
 
   std::optional<Change> guard(*lab);

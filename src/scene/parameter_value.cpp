@@ -20,16 +20,14 @@ std::optional<double> parse_value(const Parameter& parameter, std::string_view t
     return std::nullopt;
   }
   const std::optional<double> value = parse_number(text);
-  const Bounds range{.min = parameter.min, .max = parameter.max};
-  const bool is_valid = value && range.contains(*value) && clamp_to(parameter, *value) == *value;
+  const bool is_valid = value && allowed_range(parameter).contains(*value) && clamp_to_range(parameter, *value) == *value;
   return is_valid ? value : std::nullopt;
 }
 
 std::string limit_text(const Parameter& parameter) {
   if (parameter.kind == Parameter::Kind::Switch) return "must be on or off";
   if (parameter.kind == Parameter::Kind::Choice) return "must be one of " + joined(parameter.choices, &ParameterChoice::id);
-  const Bounds range{.min = parameter.min, .max = parameter.max};
-  return (parameter.kind == Parameter::Kind::Integer ? "must be whole, and " : "") + range.text() +
+  return (parameter.kind == Parameter::Kind::Integer ? "must be whole, and " : "") + allowed_range(parameter).text() +
          (parameter.unit.empty() ? "" : " [" + std::string(parameter.unit) + "]");
 }
 

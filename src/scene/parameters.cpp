@@ -59,6 +59,9 @@ bool has_muscles(const Scene& scene) {
 bool has_automatic_method(const Scene& scene) { return is_automatic(scene.settings); }
 bool has_iterations(const Scene& scene) { return scene.settings.integrator->iterates(); }
 
+// Of k, d and the like: so far from what a double can represent that no weight of a spring leads beyond that.
+constexpr Bounds spring_range{.min = 0.0, .max = 1e12};
+
 // Rows are formatted as a table, so clang-format is off.
 // clang-format off
 constexpr std::array rows{
@@ -98,18 +101,18 @@ constexpr std::array rows{
               .access = plain([](auto& s) -> auto& { return s.parameterization; })},
     Parameter{.name = "stiffness", .field = "", .group = parameter_group::springs, .label = "Stiffness k", .unit = "N/m",
               .description = "Force per elongation of every spring.",
-              .min = 0.01, .max = 1e6, .default_value = 100, .logarithmic = true, .scope = Scope::SpringStiffness, .springs = {.property = &Spring::stiffness}, .applies = has_plain_stiffness},
+              .min = 0.01, .max = 1e6, .default_value = 100, .physical = spring_range, .logarithmic = true, .scope = Scope::SpringStiffness, .springs = {.property = &Spring::stiffness}, .applies = has_plain_stiffness},
     Parameter{.name = "stiffness_per_strain", .field = "", .group = parameter_group::springs, .label = "Stiffness Y", .unit = "N",
               .description = "Force per strain of every spring: k = Y / rest length.",
-              .min = 0.001, .max = 1e6, .default_value = 10, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .min = 0.001, .max = 1e6, .default_value = 10, .physical = spring_range, .logarithmic = true, .scope = Scope::SpringStiffness,
               .springs = {.property = &Spring::stiffness, .weight = Weight::InverseLength}, .applies = is_per_strain},
     Parameter{.name = "sheet_stiffness", .field = "", .group = parameter_group::springs, .label = "Stretch E t", .unit = "N/m",
               .description = "Young's modulus times thickness of the cloth; bend springs keep their own k.",
-              .min = 0.01, .max = 1e6, .default_value = 1000, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .min = 0.01, .max = 1e6, .default_value = 1000, .physical = spring_range, .logarithmic = true, .scope = Scope::SpringStiffness,
               .springs = {.property = &Spring::stiffness, .weight = Weight::SheetWeight}, .applies = is_sheet_material},
     Parameter{.name = "sheet_density", .field = "", .group = parameter_group::springs, .label = "Density", .unit = "kg/m^2",
               .description = "Mass per area of the cloth.",
-              .min = 0.001, .max = 100, .default_value = 0.2, .logarithmic = true, .scope = Scope::PointMass, .applies = is_sheet_material,
+              .min = 0.001, .max = 100, .default_value = 0.2, .physical = {.min = 1e-9, .max = 1e9}, .logarithmic = true, .scope = Scope::PointMass, .applies = is_sheet_material,
               .access = {.read = read_density, .write = write_density}},
     Parameter{.name = "structural_springs", .field = "structural_springs", .group = parameter_group::springs, .label = "Structural springs", .unit = "",
               .description = "Whether the springs along the threads of cloths are active.",
@@ -117,7 +120,7 @@ constexpr std::array rows{
               .access = plain([](auto& s) -> auto& { return s.system.switches.families[std::size_t(SpringFamily::Structural)]; })},
     Parameter{.name = "structural_stiffness", .field = "", .group = parameter_group::springs, .label = "Structural k", .unit = "N/m",
               .description = "Stiffness of every spring along the threads of cloths.",
-              .min = 0.01, .max = 1e6, .default_value = 100, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .min = 0.01, .max = 1e6, .default_value = 100, .physical = spring_range, .logarithmic = true, .scope = Scope::SpringStiffness,
               .springs = {.property = &Spring::stiffness, .family = SpringFamily::Structural}, .applies = has_family_stiffness<SpringFamily::Structural>},
     Parameter{.name = "shear_springs", .field = "shear_springs", .group = parameter_group::springs, .label = "Shear springs", .unit = "",
               .description = "Whether the diagonal springs of cloths are active.",
@@ -125,7 +128,7 @@ constexpr std::array rows{
               .access = plain([](auto& s) -> auto& { return s.system.switches.families[std::size_t(SpringFamily::Shear)]; })},
     Parameter{.name = "shear_stiffness", .field = "", .group = parameter_group::springs, .label = "Shear k", .unit = "N/m",
               .description = "Stiffness of every diagonal spring of cloths.",
-              .min = 0.01, .max = 1e6, .default_value = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .min = 0.01, .max = 1e6, .default_value = 50, .physical = spring_range, .logarithmic = true, .scope = Scope::SpringStiffness,
               .springs = {.property = &Spring::stiffness, .family = SpringFamily::Shear}, .applies = has_family_stiffness<SpringFamily::Shear>},
     Parameter{.name = "bend_springs", .field = "bend_springs", .group = parameter_group::springs, .label = "Bend springs", .unit = "",
               .description = "Whether the springs to the second next point of cloths are active.",
@@ -133,7 +136,7 @@ constexpr std::array rows{
               .access = plain([](auto& s) -> auto& { return s.system.switches.families[std::size_t(SpringFamily::Bend)]; })},
     Parameter{.name = "bend_stiffness", .field = "", .group = parameter_group::springs, .label = "Bend k", .unit = "N/m",
               .description = "Stiffness of every spring to the second next point of cloths.",
-              .min = 0.01, .max = 1e6, .default_value = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .min = 0.01, .max = 1e6, .default_value = 50, .physical = spring_range, .logarithmic = true, .scope = Scope::SpringStiffness,
               .springs = {.property = &Spring::stiffness, .family = SpringFamily::Bend}, .applies = has_bend_stiffness},
     Parameter{.name = "damped_springs", .field = "damped_springs", .group = parameter_group::springs, .label = "Damped springs", .unit = "",
               .description = "Whether the dashpots of springs are active.",
@@ -141,14 +144,14 @@ constexpr std::array rows{
               .access = plain([](auto& s) -> auto& { return s.system.switches.dashpots; })},
     Parameter{.name = "damping", .field = "", .group = parameter_group::springs, .label = "Damping d", .unit = "N s/m",
               .description = "Damping force of every spring per rate of elongation.",
-              .min = 0, .max = 1e4, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping, .springs = {.property = &Spring::damping}, .applies = has_plain_damping},
+              .min = 0, .max = 1e4, .default_value = 0, .physical = spring_range, .logarithmic = true, .scope = Scope::SpringDamping, .springs = {.property = &Spring::damping}, .applies = has_plain_damping},
     Parameter{.name = "damping_per_length", .field = "", .group = parameter_group::springs, .label = "Damping per length", .unit = "N s/m^2",
               .description = "Damping of every spring per length: d = c times the rest length.",
-              .min = 0, .max = 1e5, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping,
+              .min = 0, .max = 1e5, .default_value = 0, .physical = spring_range, .logarithmic = true, .scope = Scope::SpringDamping,
               .springs = {.property = &Spring::damping, .weight = Weight::Length}, .applies = is_by_size},
     Parameter{.name = "sheet_damping", .field = "", .group = parameter_group::springs, .label = "Damping \u03b7", .unit = "N s/m",
               .description = "Viscosity times thickness of the cloth: for the dashpots what E t is for the springs.",
-              .min = 0, .max = 1e4, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping,
+              .min = 0, .max = 1e4, .default_value = 0, .physical = spring_range, .logarithmic = true, .scope = Scope::SpringDamping,
               .springs = {.property = &Spring::damping, .weight = Weight::SheetWeight}, .applies = is_sheet_material},
     Parameter{.name = "break_strain", .field = "break_strain", .group = parameter_group::springs, .label = "Breaks at strain", .unit = "",
               .description = "Strain at which every spring breaks, with the faces along it, unless its own break strain is smaller; 0: only its own applies.",
@@ -175,7 +178,7 @@ constexpr std::array rows{
               .access = plain([](auto& s) -> auto& { return s.system.muscles.offset; })},
     Parameter{.name = "radius", .field = "", .group = parameter_group::points, .label = "Radius r", .unit = "m",
               .description = "Radius of every point, as drawn and for contact.",
-              .min = 0.001, .max = 1, .default_value = 0.02, .logarithmic = true, .scope = Scope::PointSize,
+              .min = 0.001, .max = 1, .default_value = 0.02, .physical = {.min = 1e-9, .max = 1e6}, .logarithmic = true, .scope = Scope::PointSize,
               .access = {.read = read_radius, .write = write_radius}},
     Parameter{.name = "mass_follows_radius", .field = "defaults.mass_follows_radius", .group = parameter_group::points, .label = "Mass follows r\u00b2", .unit = "",
               .description = "Whether setting the radius of a point scales its mass by the radius squared.",
@@ -191,15 +194,15 @@ constexpr std::array rows{
               .access = plain([](auto& s) -> auto& { return s.system.drag; })},
     Parameter{.name = "gravity", .field = "", .group = parameter_group::surroundings, .label = "Gravity", .unit = "m/s^2",
               .description = "Magnitude of gravity; its direction is unchanged.",
-              .min = 0, .max = 30, .default_value = 9.81, .scope = Scope::Gravity,
+              .min = 0, .max = 30, .default_value = 9.81, .physical = {.min = 0, .max = 1e6}, .scope = Scope::Gravity,
               .access = {.read = [](const Scene& s) { return glm::length(s.system.gravity); },
               .write = set_gravity}},
     Parameter{.name = "restitution", .field = "", .group = parameter_group::surroundings, .label = "Restitution", .unit = "",
               .description = "Ratio of the normal speeds after and before an impact, of every collider.",
-              .min = 0, .max = 1, .default_value = 0, .scope = Scope::Colliders, .collider = &Collider::restitution},
+              .min = 0, .max = 1, .default_value = 0, .physical = {.min = 0, .max = 1}, .scope = Scope::Colliders, .collider = &Collider::restitution},
     Parameter{.name = "friction", .field = "", .group = parameter_group::surroundings, .label = "Friction", .unit = "",
               .description = "Coulomb friction coefficient of every collider.",
-              .min = 0, .max = 2, .default_value = 0.3, .scope = Scope::Colliders, .collider = &Collider::friction},
+              .min = 0, .max = 2, .default_value = 0.3, .physical = not_negative, .scope = Scope::Colliders, .collider = &Collider::friction},
     Parameter{.name = "contact_points", .field = "contact.points", .group = parameter_group::contact, .label = "Points touch", .unit = "",
               .description = "Whether points collide with each other, as spheres of their radii, unless a spring joins them where they touch.",
               .kind = Kind::Switch, .default_value = 0, .omit_if_default = true,
@@ -316,6 +319,16 @@ double clamp_to(const Parameter& parameter, double value) {
   if (std::isnan(value)) return parameter.default_value;
   const double clamped = std::clamp(value, parameter.min, parameter.max);
   return parameter.kind == Kind::Number ? clamped : std::round(clamped);
+}
+
+Bounds allowed_range(const Parameter& parameter) {
+  const bool is_limited = std::isfinite(parameter.physical.min) || std::isfinite(parameter.physical.max);
+  return is_limited ? parameter.physical : Bounds{.min = parameter.min, .max = parameter.max};
+}
+
+double clamp_to_range(const Parameter& parameter, double value) {
+  if (!allowed_range(parameter).contains(value) || !std::isfinite(value)) return clamp_to(parameter, value);
+  return parameter.kind == Kind::Number ? value : std::round(value);
 }
 
 void copy_surroundings(const Scene& from, Scene& to) {

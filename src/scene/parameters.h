@@ -32,8 +32,8 @@ struct Parameter {
   std::string_view unit;         // SI; empty: a pure number
   std::string_view description;  // one line for help and manual
   Kind kind = Kind::Number;
-  double min = 0.0, max = 1.0, default_value = 0.0;  // the range of the slider and of `--set`
-  Bounds physical{};                                 // the range in a scene file, which may exceed that of the slider
+  double min = 0.0, max = 1.0, default_value = 0.0;  // the range of the slider
+  Bounds physical{};                                 // the range in a scene file, and of `--set`, which may exceed that of the slider
   bool logarithmic = false;                          // the scale of the slider
   std::string_view zero_text{};                      // what 0 means, if not the number: "off"
   bool omit_if_default = false;                      // from files
@@ -93,7 +93,10 @@ class CommonValue {
   bool is_uniform_ = true;
 };
 
-// The value clamped to the range of the parameter, and rounded for integers. NaN becomes the default.
+// The value clamped to the range of the slider, and rounded for integers. NaN becomes the default.
 double clamp_to(const Parameter& parameter, double value);
+// The range that may be set: that of scene files or, where it is unlimited, that of the slider; and the value clamped to it.
+Bounds allowed_range(const Parameter& parameter);
+double clamp_to_range(const Parameter& parameter, double value);
 
 }  // namespace hooke

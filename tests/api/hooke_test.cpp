@@ -91,7 +91,7 @@ TEST(Interface, ErrorsNameTheArgumentAndNotAnOption) {
   };
   EXPECT_EQ(refusal([&] { scene.set_substeps(0); }), "substeps: 0: must be from 1 to 1000000");
   EXPECT_EQ(refusal([&] { scene.set_frame_rate(-1); }), "frame_rate: -1: must be more than 0");
-  EXPECT_EQ(refusal([&] { scene.set("drag=-1"); }), "set: drag=-1: must be from 0 to 100 [1/s]");
+  EXPECT_EQ(refusal([&] { scene.set("drag=-1"); }), "set: drag=-1: must be at least 0 [1/s]");
   EXPECT_EQ(refusal([&] { scene.set_integrator("verlet"); }).find("integrator: verlet: must be one of explicit_euler, "), 0u);
 }
 
@@ -189,6 +189,52 @@ TEST(Interface, ShowsTheNetworkAndItsForces) {
   EXPECT_EQ(simulation.colliders()[0].radius, 0.5);
 }
 
+// The partner of the point in the second of frames in which it is pressed against the rest of the scene.
+v1::Partner partner_of(std::int64_t point, const std::string& members, int frames = 60) {
+  v1::Scene scene = v1::Scene::parse("{\"hooke\": 1, " + members + "}");
+  v1::Simulation simulation(scene);
+  for (int frame = 0; frame < frames; ++frame) simulation.step();
+  const std::vector<std::int64_t> contacts = simulation.contacts();
+  const std::vector<v1::Partner> partners = simulation.contact_partners();
+  EXPECT_EQ(partners.size(), contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (contacts[i] == point) return partners[i];
+  ADD_FAILURE() << "nothing touches point " << point;
+  return {};
+}
+
+TEST(Interface, NamesWhatAPointTouchesAndTheNormalThere) {
+  using Kind = v1::Partner::Kind;
+  const auto expect = [](const v1::Partner& partner, Kind kind, std::int64_t number, const v1::Vector& normal) {
+    EXPECT_EQ(partner.kind, kind);
+    EXPECT_EQ(partner.number, number);
+    for (const auto& [have, want] : {std::pair{partner.normal.x, normal.x}, {partner.normal.y, normal.y}, {partner.normal.z, normal.z}})
+      EXPECT_NEAR(have, want, 1e-3) << number;
+  };
+  const std::string ball = R"({"position": [0, 0.1, 0], "radius": 0.1})";
+  const std::string floors = R"("colliders": [{"type": "sphere", "center": [9, 0, 0], "radius": 1},
+    {"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "friction": 0.5}])";
+  expect(partner_of(0, "\"points\": [" + ball + "], " + floors), Kind::Collider, 1, {0, 1, 0});
+
+  // a ball that lies on a nailed one and not on the floor
+  const std::string above = R"({"position": [0, 0.31, 0], "radius": 0.1})",
+                    nailed = R"(, {"position": [0, 0.1, 0], "radius": 0.1, "nailed": true})";
+  expect(partner_of(0, "\"points\": [" + above + nailed + "], \"contact\": {\"points\": true}, " + floors), Kind::Point, 1, {0, 1, 0});
+
+  // on the second of two faces, and on the second of two springs
+  const std::string square = R"("points": [{"position": [-1, 0, -1], "nailed": true}, {"position": [1, 0, -1], "nailed": true},
+    {"position": [1, 0, 1], "nailed": true}, {"position": [-1, 0, 1], "nailed": true}, {"position": [-0.3, 0.12, 0.3], "radius": 0.1}])";
+  expect(partner_of(4, square + R"(, "faces": [[0, 1, 2], [0, 2, 3]], "contact": {"faces": true})", 30), Kind::Face, 1, {0, 1, 0});
+  const std::string rope = R"("points": [{"position": [-1, 0, 0], "nailed": true}, {"position": [0, 0, 0], "nailed": true},
+    {"position": [1, 0, 0], "nailed": true}, {"position": [0.5, 0.12, 0], "radius": 0.1}])";
+  expect(
+      partner_of(
+          3,
+          rope + R"(, "springs": [{"points": [0, 1], "stiffness": 10}, {"points": [1, 2], "stiffness": 10}], "contact": {"springs": true})",
+          30),
+      Kind::Spring, 1, {0, 1, 0});
+}
+
 TEST(Interface, StepsForATimeOnSeveralThreads) {
   const v1::Scene scene = v1::Scene::load("cloth");
   v1::Simulation frames(scene), seconds(scene);
@@ -228,11 +274,73 @@ TEST(InterfaceForC, HasTheBitsOfTheInterfaceForCpp) {
   hooke_simulation_free(simulation);
 }
 
+TEST(InterfaceForC, ReadsTheNetworkAsThatForCpp) {
+  v1::Simulation expected(v1::Scene::load("marbles"));
+  hooke_scene* scene = hooke_scene_load("marbles");
+  hooke_simulation* simulation = hooke_simulation_new(scene, HOOKE_ACCURACY_OFF);
+  EXPECT_EQ(hooke_scene_point_count(scene), expected.point_count());
+  EXPECT_EQ(hooke_scene_json(scene), v1::Scene::load("marbles").json());
+  expected.step(1.0);
+  EXPECT_EQ(hooke_simulation_step(simulation, 1.0), 1);
+  const auto points = static_cast<std::size_t>(expected.point_count());
+  std::vector<double> masses(points), radii(points), normals(3 * points);
+  std::vector<int> nailed(points), kinds(points);
+  std::vector<std::int64_t> touching(points), numbers(points);
+  EXPECT_EQ(hooke_simulation_masses(simulation, masses.data()), 0);
+  EXPECT_EQ(masses, expected.masses());
+  EXPECT_EQ(hooke_simulation_radii(simulation, radii.data()), 0);
+  EXPECT_EQ(radii, expected.radii());
+  EXPECT_EQ(hooke_simulation_nailed(simulation, nailed.data()), 0);
+  EXPECT_EQ(std::vector<bool>(nailed.begin(), nailed.end()), expected.nailed());
+
+  const std::vector<v1::Partner> partners = expected.contact_partners();
+  ASSERT_FALSE(partners.empty());
+  ASSERT_EQ(hooke_simulation_contacts(simulation, touching.data(), kinds.data(), numbers.data(), normals.data()),
+            static_cast<std::int64_t>(partners.size()));
+  for (std::size_t i = 0; i < partners.size(); ++i) {
+    EXPECT_EQ(touching[i], expected.contacts()[i]);
+    EXPECT_EQ(kinds[i], static_cast<int>(partners[i].kind));
+    EXPECT_NE(partners[i].kind, v1::Partner::Kind::Unknown);
+    EXPECT_EQ(numbers[i], partners[i].number);
+    EXPECT_EQ(normals[3 * i + 1], partners[i].normal.y);
+  }
+
+  std::vector<hooke_collider> colliders(static_cast<std::size_t>(hooke_simulation_collider_count(simulation)));
+  ASSERT_EQ(colliders.size(), expected.colliders().size());
+  EXPECT_EQ(hooke_simulation_colliders(simulation, colliders.data()), 0);
+  EXPECT_EQ(colliders[0].kind, static_cast<int>(expected.colliders()[0].kind));
+  EXPECT_EQ(colliders[0].second[1], expected.colliders()[0].second.y);
+  hooke_simulation_free(simulation);
+  hooke_scene_free(scene);
+}
+
+TEST(InterfaceForC, MovesAndUndoes) {
+  hooke_scene* scene = hooke_scene_load("two_masses");
+  hooke_simulation* simulation = hooke_simulation_new(scene, HOOKE_ACCURACY_OFF);
+  hooke_scene_free(scene);
+  const std::uint64_t before = hooke_simulation_hash(simulation);
+  const double to[] = {1.0, 2.0, 0.0}, at_rest[] = {0.0, 0.0, 0.0};
+  EXPECT_EQ(hooke_simulation_move(simulation, 1, to, at_rest), 0);
+  EXPECT_EQ(hooke_simulation_positions(simulation)[4], 2.0);
+  hooke_scene* copy = hooke_simulation_scene(simulation);
+  EXPECT_NE(std::string(hooke_scene_json(copy)).find("[1, 2"), std::string::npos) << hooke_scene_json(copy);
+  hooke_scene_free(copy);
+  EXPECT_EQ(hooke_simulation_undo(simulation), 0);
+  EXPECT_EQ(hooke_simulation_hash(simulation), before);
+  EXPECT_EQ(hooke_simulation_redo(simulation), 0);
+  EXPECT_EQ(hooke_simulation_pull(simulation, 1, to, 50.0), 0);
+  EXPECT_EQ(hooke_simulation_pull(simulation, 1, to, -1.0), -1);
+  EXPECT_EQ(hooke_error_code(), 3);
+  hooke_simulation_free(simulation);
+}
+
 TEST(InterfaceForC, AnswersMistakesWithALine) {
   EXPECT_EQ(hooke_scene_load("nowhere"), nullptr);
   EXPECT_EQ(std::string(hooke_error()).substr(0, 9), "nowhere: ");
+  EXPECT_EQ(hooke_error_code(), 5);
   EXPECT_EQ(hooke_simulation_new(nullptr, 0), nullptr);
   EXPECT_STREQ(hooke_error(), "pointer: must not be null");
+  EXPECT_EQ(hooke_error_code(), 2);
   hooke_scene* scene = hooke_scene_new();
   EXPECT_EQ(hooke_scene_set(scene, "stiffness=-1"), -1);
   EXPECT_EQ(hooke_scene_add_spring(scene, 0, 1, 1.0, 0.0), -1);

@@ -26,7 +26,18 @@ TEST(ContinuousIntegration, ARunStatesItsVersionAndItsParameters) {
   EXPECT_STREQ(json["version"].GetString(), program_version);
   EXPECT_EQ(json["parameters"]["stiffness"].GetDouble(), 200.0);
   EXPECT_EQ(json["parameters"]["drag"].GetDouble(), 0.5);
+  EXPECT_STREQ(json["precision"].GetString(), "double");
+  EXPECT_STREQ(json["device"].GetString(), "cpu");
   EXPECT_FALSE(json["interrupted"].GetBool());
+
+  // also what the method does not use, and what exceeds the range of the slider
+  const rapidjson::Document single = parse_json(
+      run_headless(
+          "run drum_32 --seconds 0.05 --precision single --set damped_springs=off --set substeps=2000 --set iterations=300 --json - -q")
+          .out);
+  EXPECT_STREQ(single["precision"].GetString(), "single");
+  EXPECT_EQ(single["substeps"].GetInt(), 2000);
+  EXPECT_EQ(single["parameters"]["iterations"].GetInt(), 300);
 }
 
 TEST(ContinuousIntegration, ChecksAreWrittenAsJsonAndAsJunit) {

@@ -154,6 +154,19 @@ TEST_F(Replays, WarnOfADifferenceInTheLastFrame) {
   EXPECT_EQ(run("replay a.hookelog --verify").code, 1);
 }
 
+// As a killed program leaves it.
+TEST_F(Replays, WhoseLastLineIsIncompleteAreNotVerified) {
+  const std::string text = contents("a.hookelog");
+  std::ofstream(scratch_.folder / "a.hookelog") << text.substr(0, text.size() - 5);
+  const Outcome plain = run("replay a.hookelog"), verified = run("replay a.hookelog --verify --junit a.xml");
+  EXPECT_EQ(plain.code, 0);
+  EXPECT_EQ(plain.err, "warning: a.hookelog: its last line is incomplete: the replay ends before it\n");
+  EXPECT_EQ(verified.code, 1);
+  EXPECT_EQ(verified.err, "a.hookelog: its last line is incomplete: the replay ends before it\n");
+  EXPECT_EQ(verified.out.find("every frame as recorded"), std::string::npos) << verified.out;
+  EXPECT_NE(contents("a.xml").find("failures=\"1\""), std::string::npos);
+}
+
 // A frame that diverges now and did not then.
 TEST_F(Replays, ThatDivergeEndWithTheCodeForIt) {
   replace_in_recording("\"parameter\": \"gravity\", \"value\": 3", "\"parameter\": \"stiffness\", \"value\": 1000000");

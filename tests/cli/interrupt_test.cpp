@@ -72,6 +72,29 @@ TEST(Interrupt, ACaptureKeepsItsPicturesAndItsReport) {
   EXPECT_EQ(files_in(scratch.folder / "report", "."), 0);
 }
 
+TEST(Interrupt, ASweepKeepsItsRowsAndMarksThem) {
+  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+    const ScratchFolder scratch;
+    const std::string command = "sweep rope --vary stiffness=100:1e4:log:500 --measure total --seconds 2 --out out -q";
+    const fs::path journal = scratch.folder / "out" / "sweep.jsonl";
+    EXPECT_EQ(code_after(signal, command, scratch.folder, [&] { return fs::exists(journal) && fs::file_size(journal) > 10'000; }), code);
+    const rapidjson::Document json = parse_json(contents(scratch.folder / "out" / "sweep.json"));
+    EXPECT_FALSE(json["complete"].GetBool());
+    EXPECT_EQ(lines_of(contents(scratch.folder / "out" / "sweep.csv")).size(), json["rows"].Size() + 1u);
+    EXPECT_EQ(files_in(scratch.folder / "out", "."), 0);
+  }
+}
+
+TEST(Interrupt, ABenchmarkKeepsWhatWasMeasuredAndMarksIt) {
+  const ScratchFolder scratch;
+  const fs::path results = scratch.folder / "out" / "bench.json";
+  EXPECT_EQ(code_after(SIGTERM, "bench two_masses --quick --out out -q", scratch.folder, [&] { return fs::exists(results); }), 143);
+  const rapidjson::Document json = parse_json(contents(results));
+  EXPECT_FALSE(json["parts"][0]["complete"].GetBool());
+  EXPECT_GE(json["scenes"][0]["rows"].Size(), 1u);
+  EXPECT_EQ(files_in(scratch.folder / "out", "."), 0);
+}
+
 TEST(Interrupt, AScenesCheckKeepsItsResults) {
   const ScratchFolder scratch;
   const auto start = std::chrono::steady_clock::now();

@@ -20,7 +20,7 @@ TEST(Headless, RunWritesEveryFieldOfItsJson) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   const rapidjson::Document json = parse_json(outcome.out);
-  EXPECT_EQ(json.MemberCount(), 18u);
+  EXPECT_EQ(json.MemberCount(), 20u);
   EXPECT_EQ(json["scene"].GetString(), scene);
   EXPECT_EQ(json["points"].GetInt(), 1);
   EXPECT_EQ(json["springs"].GetInt(), 0);

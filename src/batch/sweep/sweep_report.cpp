@@ -52,6 +52,7 @@ std::string format_sweep_json(const Sweep& sweep, const SweepRows& rows) {
   json.integer("hooke_sweep", 1);
   json.text("scene", sweep.scene);
   json.number("seconds", sweep.seconds);
+  json.boolean("complete", rows.size() == sweep.row_count());
   json.begin_list("vary", TableLayout::Lines);
   for (const SweepAxis& axis : sweep.axes) {
     json.begin_object(TableLayout::Line);

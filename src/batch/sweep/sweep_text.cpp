@@ -41,7 +41,7 @@ std::string parse_range(const std::vector<std::string_view>& parts, SweepAxis& a
   for (int i = 0; i < count; ++i) {
     const double part = static_cast<double>(i) / (count - 1);
     double value = is_log ? *first * std::pow(*last / *first, part) : *first + part * (*last - *first);
-    value = i == 0 ? *first : i == count - 1 ? *last : clamp_to(parameter, to_twelve_digits(value));
+    value = i == 0 ? *first : i == count - 1 ? *last : clamp_to_range(parameter, to_twelve_digits(value));
     // whole numbers that are close together round to the same one
     if (axis.values.empty() || axis.values.back() != value) axis.values.push_back(value);
   }

@@ -118,6 +118,7 @@ struct BenchOptions {
 };
 
 void draw_and_print(const Results& results, const BenchOptions& options) {
+  if (results.problems.empty()) return;
   if (const std::optional<std::string> failure = draw_charts(results, options.folder)) std::cerr << *failure << "\n";
   if (options.quiet || options.junit == "-") return;
   for (const ProblemRecord& record : results.problems) std::cout << report(record);
@@ -244,7 +245,7 @@ std::function<int()> declare_bench(CLI::App& app) {
       ->needs(verify);
   const std::vector<CLI::Option*> instead = add_other_measurements(app, *options);
   CLI::Option* error = app.add_option("--error", options->error, "Of --capacity: RMS error of the positions, relative to the width")
-                           ->check(within({1e-9, 0.1}))
+                           ->transform(within({1e-9, 0.1}))
                            ->type_name("E")
                            ->capture_default_str();
   error->needs("--capacity");

@@ -87,18 +87,18 @@ std::function<int()> declare_capture(CLI::App& app) {
       ->type_name("FILE|DIR");
   CLI::Option* seconds = app.add_option("--seconds", options->seconds, "Simulated time from the first picture to the last [s]; default: 0")
                              ->type_name("S")
-                             ->check(within(not_negative));
+                             ->transform(within(not_negative));
   app.add_option("--frames", options->frames, "Number of pictures, instead of --seconds")
       ->type_name("N")
-      ->check(within({.min = 1, .max = 1e9}))
+      ->transform(within({.min = 1, .max = 1e9}))
       ->excludes(seconds);
   app.add_option("--fps", options->fps, "Pictures per simulated second [1/s]; default: 60, or the frame rate of the scene if lower")
       ->type_name("RATE")
-      ->check(within(positive));
+      ->transform(within(positive));
   app.add_option("--size", options->size, "Width and height [px]")->type_name("WxH")->capture_default_str();
   app.add_option("--scale", options->scale, "Scale of points, lines and panels, for high-resolution pictures")
       ->type_name("S")
-      ->check(within({.min = 0.5, .max = 4.0}))
+      ->transform(within({.min = 0.5, .max = 4.0}))
       ->capture_default_str();
   add_import_options(app, options->scene->import);
   add_threads_option(app, options->execution.threads);

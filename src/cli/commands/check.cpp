@@ -183,14 +183,17 @@ std::function<int()> declare_check(CLI::App& app) {
       "and energy depend on them");
   app.add_option("--seconds", options->seconds, "Simulated time of --result; default: 2")
       ->type_name("S")
-      ->check(within({.min = 1e-6, .max = 1e4}));
+      ->transform(within({.min = 1e-6, .max = 1e4}));
   app.add_flag("--quick", options->quick, "With --hard: only the fast cases, without auto: about a minute of CPU time in total");
   app.add_flag("--strict", options->strict, "With --hard: count every failure, even a reported one that is allowed");
-  app.add_option("--cases", options->cases, "With --hard: only these cases, by number")->type_name("1,20")->delimiter(',');
+  app.add_option("--cases", options->cases, "With --hard: only these cases, by number")
+      ->type_name("1,20")
+      ->delimiter(',')
+      ->transform(within({.min = 1, .max = 1e6}));
   app.add_option("--methods", options->methods, "With --hard: only these methods, by id")->type_name("a,b")->delimiter(',');
   app.add_option("--threads", options->threads, "With --hard: number of cases to run in parallel; default: one per core")
       ->type_name("N")
-      ->check(within({.min = 1, .max = 256}));
+      ->transform(within({.min = 1, .max = 256}));
   app.add_option("--json", options->json, "Write the results as JSON; - for stdout")->type_name("FILE");
   app.add_option("--junit", options->junit, "Write the results as JUnit XML; - for stdout")->type_name("FILE");
   app.add_option("--markdown", options->markdown, "Write the tables of docs/evidence/stability.md; - for stdout")->type_name("FILE");

@@ -80,7 +80,8 @@ int run_engine(const RunOptions& options) {
       .scene = options.scene->scene,
       .run = {
           .seconds = options.seconds, .sample = options.output.sample, .accuracy = options.output.accuracy.value_or(AccuracyMode::Off)}};
-  RunOutput output(options.output.files, options.scene->scene, scene, parse_points(options.output.points, scene.system.point_count()));
+  RunOutput output(options.output.files, options.scene->scene, scene, parse_points(options.output.points, scene.system.point_count()),
+                   {.device = *options.engine});
   if (output.has_chosen_errors()) throw UsageError("--quantities: the accuracy is not measured with --engine");
   RunHooks hooks = output.hooks();
   std::optional<ProgressBar> progress;
@@ -116,7 +117,7 @@ int run(const RunOptions& options) {
   const auto points = parse_points(options.output.points, scene.system.point_count());
 
   // open the files first, so that an invalid path is reported before the work
-  RunOutput output(options.output.files, options.scene->scene, scene, points);
+  RunOutput output(options.output.files, options.scene->scene, scene, points, computed_by(lab.plan().execution));
   if (const auto warning = output.warning(); warning && !options.scene->quiet) std::cerr << "warning: " << *warning << "\n";
   request.accuracy = options.output.accuracy.value_or(default_accuracy(options, output));
   RunHooks hooks = output.hooks();
@@ -161,7 +162,7 @@ std::function<int()> declare_run(CLI::App& app) {
   app.add_option("--seconds", options->seconds, "Simulated time, rounded up to whole frames [s]")
       ->required()
       ->type_name("S")
-      ->check(within(not_negative));
+      ->transform(within(not_negative));
   add_output_options(app, options->output, Summary::WithErrorOfFrame);
   app.add_option("--pc2", options->output.files.pc2, "Write the positions of all points in every frame as a point cache")
       ->type_name("FILE");

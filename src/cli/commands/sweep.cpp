@@ -92,7 +92,7 @@ std::function<int()> declare_sweep(CLI::App& app) {
   app.add_option("--measure", options->measures, "Columns of the table, comma-separated: " + measure_names())->type_name("NAME,...");
   app.add_option("--seconds", options->seconds, "Simulated time of each run, rounded up to whole frames [s]")
       ->type_name("S")
-      ->check(within(not_negative));
+      ->transform(within(not_negative));
   app.add_option("--out", options->folder,
                  "Folder for sweep.csv, .json, .svg, .png, and sweep.jsonl, which has a line for each finished run and from which an "
                  "interrupted sweep resumes")

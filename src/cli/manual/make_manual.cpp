@@ -206,9 +206,8 @@ int main(int count, char** arguments) {
       if (!hooke::update_tables(arguments[i])) return 5;
     return 0;
   }
-  for (const auto& [name, text] : {std::pair{"man", &hooke::manual_page}, std::pair{"bash", &hooke::bash_completion},
-                                   std::pair{"zsh", &hooke::zsh_completion}, std::pair{"fish", &hooke::fish_completion}})
+  for (const auto& [name, text] : {std::pair{"man", &hooke::manual_page}, std::pair{"completion", &hooke::completion_table}})
     if (count == 2 && what == name) return std::cout << text() << std::flush ? 0 : 5;
-  std::cerr << "usage: make_manual man|bash|zsh|fish|docs FILE...\n";
+  std::cerr << "usage: make_manual man|completion|docs FILE...\n";
   return 2;
 }

@@ -80,9 +80,11 @@ Inverse set(const Parameter& parameter, double value, Scene& scene, Effect& effe
 
 }  // namespace
 
-std::string SetParameter::describe() const { return describe_value(*parameter, clamp_to(*parameter, value)); }
+std::string SetParameter::describe() const { return describe_value(*parameter, clamp_to_range(*parameter, value)); }
 
-Inverse SetParameter::apply(Scene& scene, Effect& effect) const { return set(*parameter, clamp_to(*parameter, value), scene, effect); }
+Inverse SetParameter::apply(Scene& scene, Effect& effect) const {
+  return set(*parameter, clamp_to_range(*parameter, value), scene, effect);
+}
 
 std::string RestoreParameter::describe() const {
   return std::isnan(value) ? "reset " + std::string(parameter->label) : describe_value(*parameter, value);

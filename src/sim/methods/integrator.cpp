@@ -90,27 +90,25 @@ double largest_stable_step(const Integrator& integrator, double omega, double la
                                      .h_drag = h * drag,
                                      .h_rate = h * force_rate});
   };
-  const auto is_stable_at = [&](double h) { return is_stable(amplification_at(h)); };
-  // where an eigenvalue approaches -1, the higher-order splitting methods are unstable in a band of steps less than a hundredth wide
-  const auto is_near_minus_one = [&](double h) {
-    const Amplification step = amplification_at(h);
-    return 1.0 + step.determinant + step.trace + step.third < 0.02;
-  };
   const double rate = std::max({omega, lambda, drag, force_rate});
   if (rate == 0.0) return std::numeric_limits<double>::infinity();
 
   // increase from a thousandth of the fastest rate until a step is unstable, then bisect
   double stable = 1e-3 / rate, unstable = stable;
-  if (!is_stable_at(stable)) return 0.0;
+  Amplification step = amplification_at(stable);
+  if (!is_stable(step)) return 0.0;
   while (true) {
-    unstable = stable * (is_near_minus_one(stable) ? 1.0005 : 1.02);
-    if (!is_stable_at(unstable)) break;
+    // where an eigenvalue approaches -1, the higher-order splitting methods are unstable in a band of steps less than a hundredth wide
+    const bool is_near_minus_one = 1.0 + step.determinant + step.trace + step.third < 0.02;
+    unstable = stable * (is_near_minus_one ? 1.0005 : 1.02);
+    step = amplification_at(unstable);
+    if (!is_stable(step)) break;
     stable = unstable;
     if (stable * rate > 1e6) return std::numeric_limits<double>::infinity();
   }
   for (int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (stable + unstable);
-    (is_stable_at(middle) ? stable : unstable) = middle;
+    (is_stable(amplification_at(middle)) ? stable : unstable) = middle;
   }
   return stable;
 }
@@ -125,6 +123,9 @@ namespace {
 double conditional_step(const Integrator& integrator, const Spectrum& spectrum, double force_rate) {
   const double omega = spectrum.omega, drag = spectrum.drag_rate;
   const double min = std::min(spectrum.min_dashpot_ratio * omega * omega, spectrum.dashpot_rate);
+  if (spectrum.dashpot_rate == 0.0)
+    return std::min(largest_stable_step(integrator, omega, 0.0, drag, force_rate),
+                    largest_stable_step(integrator, 0.0, 0.0, drag, force_rate));
   const double along_spring = std::min({largest_stable_step(integrator, omega, min, drag, force_rate),
                                         largest_stable_step(integrator, omega, spectrum.dashpot_rate, drag, force_rate),
                                         largest_stable_step(integrator, 0.0, spectrum.dashpot_rate, drag, force_rate)});

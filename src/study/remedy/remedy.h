@@ -89,7 +89,7 @@ Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const Re
 // "0.59\u00d7 real time"; empty for settings that are faster than that.
 std::string speed_text(const TestedSetting& setting);
 
-// "Cause: ... Tested for 2 s: Velocity Verlet with 80 substeps per frame runs through." One line.
+// What to do, as a sentence: "Use Velocity Verlet with 80 substeps per frame, which does not diverge (tested for 2 s): ...".
 std::string describe(const Remedy& remedy, const Settings& settings);
 
 }  // namespace hooke

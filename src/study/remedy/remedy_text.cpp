@@ -1,6 +1,9 @@
 // A remedy in words.
+#include <array>
+
 #include "base/number_text.h"
 #include "base/text_lines.h"
+#include "sim/methods/integrator.h"
 #include "study/remedy/remedy.h"
 
 namespace hooke {
@@ -26,48 +29,57 @@ std::string speed_text(const TestedSetting& setting) {
   return setting.duration > 1.0 ? number_text(1.0 / setting.duration, 2) + "\u00d7 real time" : "";
 }
 
+namespace {
+
+// By Remedy::Cause: a clause, and what to change where no other setting helps.
+constexpr const char* any_change = "Use softer springs, larger masses or slower motion: ";
+constexpr std::array<std::array<const char*, 2>, 8> causes{{
+    {"", ""},
+    {"", ""},
+    {"the step is beyond the linear stability limit of ", any_change},
+    {"the listed forces are the cause", "Weaken the listed forces: "},
+    {"contact is the cause", "Move apart or slow down what touches: "},
+    {"the hand is the cause", "Move the hand more slowly: "},
+    {"springs rotate far within a step, which the linear stability limit does not cover", any_change},
+    {"the cause was not found", any_change},
+}};
+
+std::string cause_of(const Remedy& remedy, const Settings& settings) {
+  const bool is_step = remedy.cause == Remedy::Cause::StepTooLong;
+  return causes[static_cast<std::size_t>(remedy.cause)][0] + std::string(is_step ? settings.integrator->label : "");
+}
+
+std::string untested(const Remedy& remedy) {
+  const std::string from = remedy.from ? "t = " + seconds_text(*remedy.from) : "the start";
+  if (remedy.cause == Remedy::Cause::NotReproduced)
+    return "Run on from an earlier state: copies from the start" + (remedy.from ? " and from " + from : "") +
+           " do not diverge, and no remedy was tested.";
+  return "Use more substeps or an implicit method: no remedy was tested, because the work limit of the search was reached at t = " +
+         seconds_text(remedy.reached) + ", before the copy from " + from + " diverged.";
+}
+
+std::string without_remedy(const Remedy& remedy, const Settings& settings) {
+  std::string tried = std::to_string(remedy.settings_tried) + " other settings were tried without success";
+  if (remedy.settings_cut_short > 0)
+    tried += ", " + std::to_string(remedy.settings_cut_short) + " of them only up to the work limit of the search";
+  if (remedy.settings_left > 0) tried += "; " + std::to_string(remedy.settings_left) + " more were not, because of that limit";
+  if (remedy.change) return "Undo " + remedy.change->text + ", without which it does not diverge: " + tried + ".";
+  return causes[static_cast<std::size_t>(remedy.cause)][1] + cause_of(remedy, settings) + "; no remedy was found: " + tried + ".";
+}
+
+}  // namespace
+
 std::string describe(const Remedy& remedy, const Settings& settings) {
-  const auto cause = [&]() -> std::string {
-    if (remedy.change) return "Cause: " + remedy.change->text + "; without this change it does not diverge.";
-    switch (remedy.cause) {
-      case Remedy::Cause::NotReproduced:
-        return "No remedy was tested: copies from the start" + (remedy.from ? " and from t = " + seconds_text(*remedy.from) : "") +
-               " do not diverge.";
-      case Remedy::Cause::SearchLimit:
-        return "No remedy was tested: the work limit of the search was reached at t = " + seconds_text(remedy.reached) +
-               ", before the copy from " + (remedy.from ? "t = " + seconds_text(*remedy.from) : "the start") + " diverged.";
-      case Remedy::Cause::StepTooLong:
-        return "Cause: the step is beyond the linear stability limit of " + std::string(settings.integrator->label) + ".";
-      case Remedy::Cause::Force:
-        return "Cause: the listed forces; without them it does not diverge.";
-      case Remedy::Cause::Contact:
-        return "Cause: contact; without it the scene does not diverge.";
-      case Remedy::Cause::Hand:
-        return "Cause: the hand; without it the scene does not diverge.";
-      case Remedy::Cause::Springs:
-        return "Cause: springs that rotate far within a step; the linear stability limit does not cover them.";
-      case Remedy::Cause::NotFound:
-        return "The cause was not found.";
-    }
-    return {};
-  };
-  if (remedy.cause == Remedy::Cause::NotReproduced || remedy.cause == Remedy::Cause::SearchLimit) return cause();
-  if (!remedy.cheapest) {
-    const std::string tried = " other settings were tried" + std::string(remedy.change ? " without success" : "");
-    std::string cut_short;
-    if (remedy.settings_cut_short > 0)
-      cut_short = ", " + std::to_string(remedy.settings_cut_short) + " of them only up to the work limit of the search";
-    if (remedy.settings_left > 0) cut_short += "; " + std::to_string(remedy.settings_left) + " more were not, because of that limit";
-    return cause() + (remedy.change ? " " : " No remedy found: ") + std::to_string(remedy.settings_tried) + tried + cut_short + ".";
-  }
-  const std::string from = remedy.from ? " from t = " + seconds_text(*remedy.from) : "";
+  if (remedy.cause == Remedy::Cause::NotReproduced || remedy.cause == Remedy::Cause::SearchLimit) return untested(remedy);
+  if (!remedy.cheapest) return without_remedy(remedy, settings);
   const TestedSetting& best = *remedy.cheapest;
-  std::string text = cause() + " " + describe(best.advice) + " does not diverge (tested for " + seconds_text(best.seconds) + from +
-                     duration_text(best) + ")" + exceptions(best.warnings) + ".";
+  std::string text = (remedy.change ? "Undo " + remedy.change->text + ", without which it does not diverge, or use " : "Use ") +
+                     describe(best.advice) + ", which does not diverge (tested for " + seconds_text(best.seconds) +
+                     (remedy.from ? " from t = " + seconds_text(*remedy.from) : "") + duration_text(best) + ")" + exceptions(best.warnings);
   if (const auto& same = remedy.same_method)
-    text += " Nor does " + describe(same->advice) + " (tested for " + seconds_text(same->seconds) + duration_text(*same) + ")" +
-            exceptions(same->warnings) + ".";
-  return text;
+    text += ", or " + describe(same->advice) + " (tested for " + seconds_text(same->seconds) + duration_text(*same) + ")" +
+            exceptions(same->warnings);
+  return text + (remedy.change ? "." : ": " + cause_of(remedy, settings) + ".");
 }
 
 }  // namespace hooke

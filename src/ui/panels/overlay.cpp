@@ -325,7 +325,7 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
     const std::string outcome = found ? describe(*found, settings) : test.empty() ? "" : test + "...";
     Banner banner{"stopped", {status.diagnosis.message}, {"Dismiss"}, palette::alarm, palette::bad};
     const auto& changes = status.diagnosis.failed ? status.diagnosis.failed->changes : std::vector<RecentChange>{};
-    if (!found && !changes.empty()) banner.texts.back() += " Last change: " + changes.front().text + ".";
+    if (!found && !changes.empty()) banner.texts.back() += " Undo the last change if it is the cause: " + changes.front().text + ".";
     if (!outcome.empty()) banner.texts.push_back(outcome);
     const std::vector<WayOut> ways = ways_out(input);
     for (const WayOut& way : ways) banner.buttons.push_back(way.label.substr(0, way.label.find("###")));
