@@ -67,6 +67,8 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
   if (const auto& same = remedy.same_method)
     text += " Nor does " + describe(same->advice) + " (tested for " + seconds_text(same->seconds) + duration_text(*same) + ")" +
             exceptions(same->warnings) + ".";
+  else if (const auto& untested = remedy.untested)
+    text += " " + describe(untested->advice) + " takes too long to be tested" + duration_text(*untested) + ".";
   return text;
 }
 
