@@ -119,6 +119,15 @@ TEST(Plots, NoLineLeadsAcrossAJumpInTime) {
   EXPECT_EQ(jumps, 1u);
 }
 
+TEST(Plots, AFlatSceneHasOneAngularMomentum) {
+  GuiFixture gui(swinging());
+  run_with_plots(gui);
+  gui.click(gui.find("plots", {"Choose"}));
+  gui.frames(3);
+  EXPECT_NE(gui.text().find("Angular momentum"), std::string::npos);
+  EXPECT_EQ(gui.text().find("Angular momentum about"), std::string::npos);
+}
+
 TEST(Plots, EscClosesTheListOfQuantities) {
   GuiFixture gui(swinging());
   run_with_plots(gui);
