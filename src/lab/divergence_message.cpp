@@ -54,7 +54,7 @@ std::string describe(const Divergence& divergence, const System& system) {
              std::to_string(max_adaptive_surface_steps) + " steps with contact of faces or springs, in one frame; fastest is " + location +
              "." + when;
     case Divergence::Kind::TooManyPairs:
-      return "More than " + std::to_string(PairSolver::max_pairs) +
+      return "More than " + grouped_text(static_cast<double>(PairSolver::max_pairs)) +
              " pairs of points come within reach of each other in one substep, or points hit each other too often, or surfaces move too "
              "far, in it or in the frame, for contact to follow; fastest is " +
              location + "." + when;

@@ -243,6 +243,7 @@ class SettingSearch {
       if (one && !remedy_.cheapest) remedy_.cheapest = std::move(one);
     for (auto& one : same_method_)
       if (one && !remedy_.same_method) remedy_.same_method = std::move(one);
+    if (remedy_.same_method) remedy_.untested.reset();
     if (remedy_.same_method && remedy_.cheapest->advice == remedy_.same_method->advice) remedy_.same_method.reset();
   }
 
