@@ -38,7 +38,7 @@ void App::handle(const Request& request) {
                    const auto& collider = tool_context_.selection.collider;
                    if (const auto* set = std::get_if<SetColliders>(&edit.command); set && collider)
                      tool_context_.note_gaps(set->colliders[static_cast<std::size_t>(*collider)]);
-                   lab_.submit(edit.command, tool_context_.last_gesture);
+                   lab_.submit(edit.command, tool_context_.last_gesture, edit.name);
                  },
                  [this](const Scrub& scrub) {
                    if (!scrub.continues) tool_context_.begin_gesture();
@@ -80,10 +80,11 @@ void App::handle(const Request& request) {
 // Presses of the keys of one value in quick succession are one step of undo, as the drag of its slider is.
 void App::tune(const Tuning& tuning, TunedBy keys, bool repeated) {
   const auto now = std::chrono::steady_clock::now();
+  const auto& last = keyboard_.tuned;
   const bool continues =
-      repeated || (tuned_ && tuned_->keys == keys && tuned_->gesture == tool_context_.last_gesture && now - tuned_->at < tuning_pause);
+      repeated || (last && last->keys == keys && last->gesture == tool_context_.last_gesture && now - last->at < tuning_pause);
   if (!continues) tool_context_.begin_gesture();
-  tuned_ = {keys, tool_context_.last_gesture, now};
+  keyboard_.tuned = {keys, tool_context_.last_gesture, now};
   for (const Command& command : tuning.commands) lab_.submit(command, tool_context_.last_gesture);
   panels_.show_value(tuning.message);
 }
@@ -93,6 +94,9 @@ void App::start_placement(const StartPlacement& start) {
     lab_.submit(SetParameter{&dimensions_parameter, 1.0});
     settle();
   }
+  // its panel is at the left, too
+  bool is_shown = false;
+  show_or_hide_at_left(&is_shown);
   if (start.collider != nullptr)
     placer_.start(*start.collider);
   else
@@ -132,6 +136,7 @@ void App::show_ghosts(bool with_reference) {
   if (ghosts.is_shown) {
     ghosts = {};
   } else {
+    if (placer_.is_on()) placer_.stop();
     panels_.show_at_left(&ghosts.is_shown);
     ghosts.with_reference = with_reference;
     if (!with_reference) ghosts.settings = {first_ghost(status().snapshot->settings)};
@@ -171,7 +176,7 @@ void App::show_or_hide_plots() {
   panels_.table.is_shown = false;
   panels_.plots.is_shown = !panels_.plots.is_shown;
   if (!panels_.plots.is_shown) return;
-  const double width = layout_.menu.width, height = layout_.status.y + layout_.status.height;
+  const double width = tool_context_.layout.menu.width, height = tool_context_.layout.status.y + tool_context_.layout.status.height;
   if (lay_out(width, height, tool_context_.scale, {.plots = true}).plots.height == 0.0)
     panels_.show_toast("The window is not high enough for plots");
 }
@@ -186,6 +191,7 @@ void App::show_or_hide_at_left(bool* panel) {
     *panel = false;
     return;
   }
+  if (placer_.is_on()) placer_.stop();
   panels_.show_at_left(panel);
   work_.ghosts.set({}, status(), lab_);
 }

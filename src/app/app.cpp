@@ -28,32 +28,31 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const H
       settings_(home, panels_),
       file_task_(panels_),
       tool_(tool_context_),
-      camera_control_(tool_context_, panels_, clipboard_),
-      placer_(tool_context_, panels_, layout_, file_task_),
-      mouse_(tool_context_, panels_, layout_, tool_, camera_control_, placer_),
+      camera_control_(tool_context_, panels_, clipboard_, std::move(scene)),
+      placer_(tool_context_, panels_, file_task_),
+      mouse_(tool_context_, panels_, tool_, camera_control_, placer_),
       document_(tool_context_, panels_, file_task_, settings_, home, std::move(file), [this](const Scene& opened) { show(opened); }),
       captures_(tool_context_, panels_, document_),
       exporter_(tool_context_, panels_, file_task_, captures_, document_),
       selection_editor_(tool_context_, panels_, file_task_, clipboard_),
-      key_handlers_(make_key_handlers()),
-      scene_to_frame_(std::move(scene)) {
+      keyboard_{make_key_handlers()} {
   take_switches(status().document->view);
   if (!settings_.values().measure_accuracy) lab_.submit(SetAccuracy{AccuracyMode::Off});
 }
 
 void App::resize(const glm::dvec2& size, double scale) {
-  layout_ = lay_out(size.x, size.y, scale,
-                    {.panels = panels_.shown.panels,
-                     .plots = panels_.plots.is_shown || panels_.table.is_shown,
-                     .strain_legend = shows_strain_colors(tool_context_.system(), panels_.view)});
-  tool_context_.size = {layout_.scene.width, layout_.scene.height};
+  tool_context_.layout = lay_out(size.x, size.y, scale,
+                                 {.panels = panels_.shown.panels,
+                                  .plots = panels_.plots.is_shown || panels_.table.is_shown,
+                                  .strain_legend = shows_strain_colors(tool_context_.system(), panels_.view)});
+  tool_context_.size = {tool_context_.layout.scene.width, tool_context_.layout.scene.height};
   tool_context_.scale = scale;
-  if (const auto scene = std::exchange(scene_to_frame_, nullptr)) camera_control_.show(*scene);
+  camera_control_.show_first();
 }
 
 void App::handle(const Event& event) {
   std::visit(Overloaded{
-                 [this](const KeyPress& press) { dispatch(key_handlers_, press); },
+                 [this](const KeyPress& press) { dispatch(keyboard_.handlers, press); },
                  [this](const FileDrop& dropped) { drop(dropped); },
                  [this](const CloseRequest&) {
                    if (file_task_.is_running()) file_task_.stop();
@@ -79,8 +78,7 @@ void App::build_frame(const FrameStatistics& frame_statistics) {
   const auto before = std::exchange(shown_, tool_context_.status);
   if (before && status().run.gas_releases > before->run.gas_releases) panels_.show_toast("A tear released the gas of a surface");
   const std::string& refusal = status().run.device_refusal;
-  if (!refusal.empty() && !(before && refusal == before->run.device_refusal))
-    panels_.show_toast("Computed on the CPU: " + refusal);
+  if (!refusal.empty() && !(before && refusal == before->run.device_refusal)) panels_.show_toast("Computed on the CPU: " + refusal);
   if (const std::string notice = std::exchange(tool_context_.notice, {}); !notice.empty()) panels_.show_toast(notice);
   if (before && before->history.list != status().history.list)
     if (const std::string moved = history_move(*before->history.list, *status().history.list); !moved.empty()) panels_.show_toast(moved);
@@ -91,7 +89,7 @@ void App::build_frame(const FrameStatistics& frame_statistics) {
 
   Requests requests;
   build_panels(panel_input(frame_statistics), panels_, requests);
-  panel_keys_.clear();
+  keyboard_.for_panels.clear();
   for (const Request& request : requests) handle(request);
   tool_context_.shows_surface = panels_.view.surface;
 
@@ -111,8 +109,8 @@ void App::poll_background_work() {
 PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
   return {.status = status(),
           .selection = tool_context_.selection,
-          .layout = layout_,
-          .tool = {tool_buttons(), tool_.action(), tool_.next_step(), tool_.rubber_band(layout_.scene), tool_.stroke()},
+          .layout = tool_context_.layout,
+          .tool = {tool_buttons(), tool_.action(), tool_.next_step(), tool_.rubber_band(tool_context_.layout.scene), tool_.stroke()},
           .file = document_.file(),
           .folder = panels_.placement.is_mesh ? document_.start_folder() : std::filesystem::path(),
           .frames_per_second = frame_statistics.frames_per_second,
@@ -121,7 +119,7 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
           .film_seconds = captures_.film_seconds(),
           .recent = document_.recent_files(),
           .recovered = document_.recovery_entries(),
-          .keys = panel_keys_,
+          .keys = keyboard_.for_panels,
           .work = file_task_.progress(),
           .export_work = exporter_.progress(),
           .has_desktop_dialog = document_.has_system_dialog(),

@@ -49,7 +49,7 @@ class App {
   // For drawing the scene.
   const Status& status() const { return *tool_context_.status; }
   const Camera& camera() const { return tool_context_.camera; }
-  const Layout& layout() const { return layout_; }
+  const Layout& layout() const { return tool_context_.layout; }
   const Marks& marks() const { return marks_; }
   ViewOptions view_options() const;
   // What the panels show.
@@ -67,7 +67,7 @@ class App {
   const Selection& selection() const { return tool_context_.selection; }
   Action tool() const { return tool_.action(); }
   // Key handlers, in the order of precedence.
-  const KeyHandlers& key_handlers() const { return key_handlers_; }
+  const KeyHandlers& key_handlers() const { return keyboard_.handlers; }
 
   // Until the window provides one, copies stay within the program.
   void use(Clipboard clipboard) { clipboard_ = std::move(clipboard); }
@@ -110,7 +110,6 @@ class App {
   std::shared_ptr<const Status> shown_;  // in the last frame
   ToolContext tool_context_;
   Panels panels_;
-  Layout layout_;
   Marks marks_;
   Clipboard clipboard_;
 
@@ -125,11 +124,7 @@ class App {
   Captures captures_;
   Exporter exporter_;
   SelectionEditor selection_editor_;
-  KeyHandlers key_handlers_;
-
-  std::vector<PanelKey> panel_keys_;             // for the panels of the next frame
-  std::shared_ptr<const Scene> scene_to_frame_;  // the first scene, until the window's size is known
-  std::optional<LastTuning> tuned_;
+  Keyboard keyboard_;
   bool finished_ = false;
 };
 

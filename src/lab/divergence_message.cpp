@@ -54,8 +54,9 @@ std::string describe(const Divergence& divergence, const System& system) {
              std::to_string(max_adaptive_surface_steps) + " steps with contact of faces or springs, in the frame" + when + "; fastest is " +
              location + ".";
     case Divergence::Kind::TooManyPairs:
-      return "More than " + std::to_string(PairSolver::max_pairs) + " pairs of points come within reach of each other in one substep" +
-             when + ", or contact takes too much work in a frame; fastest is " + location + ".";
+      return "More than " + grouped_text(static_cast<double>(PairSolver::max_pairs)) +
+             " pairs of points come within reach of each other in one substep" + when +
+             ", or contact takes too much work in a frame; fastest is " + location + ".";
     case Divergence::Kind::MatrixTooLarge:
       return "The network is too large for an implicit method: it would need more than " + std::to_string(max_factor_entries / 1'000'000) +
              " million entries in the factor of its matrix.";

@@ -12,8 +12,9 @@
 namespace hooke {
 namespace {
 
-// So that a frame repeated with half the step, of twice the substeps, is done before the next one is, 40 frames later.
-constexpr long substeps_per_repeated = 20;
+// So that a frame repeated with half the step, of twice the substeps, is done before the next one is, 40 frames later; or 10, where what
+// is shown is no longer true.
+constexpr long substeps_per_repeated = 20, substeps_per_urgent = 5;
 
 // Tears in consecutive frames without a grab are one step of the history.
 constexpr Gesture tearing_gesture = std::numeric_limits<Gesture>::max();
@@ -32,15 +33,15 @@ Lab::Lab(Scene scene, KeepStart keep) : measuring_{.at_once = keep == KeepStart:
   publish();
 }
 
-void Lab::submit(Command command, Gesture gesture) { queue_.emplace_back(std::move(command), gesture); }
-void Lab::submit(Control control, Gesture gesture) { queue_.emplace_back(std::move(control), gesture); }
+void Lab::submit(Command command, Gesture gesture, std::string name) { queue_.push_back({std::move(command), gesture, std::move(name)}); }
+void Lab::submit(Control control, Gesture gesture) { queue_.push_back({std::move(control), gesture}); }
 
 // Brings the Plan and the energy up to date, and discards the frame in progress unless the edit does not affect it.
 void Lab::update_plan(Effect effect) {
   if (!effect.invalidates_frame()) return;
   // the plan is made again where the structure changes
   drop_frame(!effect.structure);
-  frame_.expect_change();
+  frame_.runner.expect_change();
   companions_.restart();
   if (effect.structure) {
     frame_history_.clear_if_points_changed(scene_.system);
@@ -53,21 +54,21 @@ void Lab::update_plan(Effect effect) {
 
 // Discards the frame in progress, and restores the springs that it broke.
 void Lab::drop_frame(bool restores_springs) {
-  if (restores_springs && progress_.in_frame && !frame_.broken().empty()) refresh_values(plan_, scene_.system);
-  progress_.in_frame = false;
+  if (restores_springs && frame_.is_in_progress && !frame_.runner.broken().empty()) refresh_values(plan_, scene_.system);
+  frame_.is_in_progress = false;
   record_held_edits();
 }
 
 // An edit that does not affect the frame in progress takes effect after it, and is recorded there.
 void Lab::record_edit(const Command& command) {
-  if (progress_.in_frame)
-    progress_.held_edits.push_back(command);
+  if (frame_.is_in_progress)
+    frame_.held_edits.push_back(command);
   else
     recorder_.record(command, scene_);
 }
 
 void Lab::record_held_edits() {
-  for (const Command& command : std::exchange(progress_.held_edits, {})) recorder_.record(command, scene_);
+  for (const Command& command : std::exchange(frame_.held_edits, {})) recorder_.record(command, scene_);
 }
 
 void Lab::edit(const Command& command, Gesture gesture, const std::string& name, std::optional<History::Of> known) {
@@ -79,7 +80,7 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
     return;
   }
 
-  const bool was_in_progress = progress_.in_frame;
+  const bool was_in_progress = frame_.is_in_progress;
   const Settings settings = scene_.settings;
   if (const auto* set = std::get_if<SetForces>(&command)) start_.record_leaks(scene_.system.forces, set->forces);
   if (std::holds_alternative<GoToState>(command) || std::holds_alternative<Replace>(command)) start_.keep_edits(scene_);
@@ -91,7 +92,7 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   std::vector<Command> inverse = apply(scene_, command, effect);
   update_plan(effect);
   if (can_cause_failure(command) && start_.scene()) failure_.add_change(command, value, inverse, gesture, scene_);
-  if (was_in_progress && !progress_.in_frame) progress_.must_finish = true;
+  if (was_in_progress && !frame_.is_in_progress) frame_.must_finish = true;
   if (std::holds_alternative<Replace>(command))
     initialize_supply(scene_.system, scene_.state);
   else
@@ -157,8 +158,8 @@ void Lab::resolve_divergence() {
 
 // Edits that discard every frame in progress would stop the clock: after one discarded frame, edits wait until the next is finished.
 bool Lab::must_wait_for_frame() const {
-  return progress_.in_frame && progress_.must_finish &&
-         std::ranges::all_of(queue_, [](const auto& queued) { return std::holds_alternative<Command>(queued.first); });
+  return frame_.is_in_progress && frame_.must_finish &&
+         std::ranges::all_of(queue_, [](const Queued& queued) { return std::holds_alternative<Command>(queued.what); });
 }
 
 // A drag in a run moves what the point touches and is attached to as well, and the run goes on: a point that is put back alone may be
@@ -179,12 +180,12 @@ void Lab::return_to_state(const std::shared_ptr<const State>& state, std::vector
 void Lab::apply_queue() {
   // moved to a local variable, because a handler may submit more
   auto queue = std::exchange(queue_, {});
-  for (const auto& [request, gesture] : queue) {
-    if (const auto* command = std::get_if<Command>(&request)) {
+  for (const auto& [what, gesture, name] : queue) {
+    if (const auto* command = std::get_if<Command>(&what)) {
       playback_.stop();
-      edit(*command, gesture);
+      edit(*command, gesture, name);
     } else {
-      handle(std::get<Control>(request), gesture);
+      handle(std::get<Control>(what), gesture);
     }
   }
 }
@@ -221,17 +222,17 @@ void Lab::begin_frame() {
   start_.keep_edits(scene_);
   if (frame_history_.timeline().empty() || frame_history_.timeline().last_time() != scene_.state.time) add_to_timeline(false);
   Settings settings = scene_.settings;
-  plan_.execution.device = device_refusal().empty() ? progress_.device : nullptr;
+  plan_.execution.device = device_refusal().empty() ? frame_.device : nullptr;
   settings.measures_damping = measuring_.meter.mode() != AccuracyMode::Off;
-  frame_.begin(plan_, scene_.system, settings, scene_.state);
-  progress_.in_frame = true;
+  frame_.runner.begin(plan_, scene_.system, settings, scene_.state);
+  frame_.is_in_progress = true;
 }
 
 // Removes the springs that broke in the frame just computed, and returns the command that restores them.
 std::optional<Insert> Lab::tear() {
-  if (frame_.broken().empty()) return std::nullopt;
+  if (frame_.runner.broken().empty()) return std::nullopt;
   std::vector<SpringId> broken;
-  for (const Index s : frame_.broken()) broken.push_back(scene_.system.springs()[s].id);
+  for (const Index s : frame_.runner.broken()) broken.push_back(scene_.system.springs()[s].id);
   Effect effect;
   const std::vector<Command> inverse = apply(scene_, removal_of_broken(scene_.system, broken), effect);
   rebuild_plan();
@@ -256,14 +257,14 @@ double Lab::hand_lag() const {
 
 // Checks the frame just computed and adopts it; if it diverged, keeps the previous state and stops.
 bool Lab::finish_frame() {
-  progress_.end = scene_.state;
-  frame_.end(plan_, progress_.end);
-  progress_.in_frame = progress_.must_finish = false;
+  frame_.end = scene_.state;
+  frame_.runner.end(plan_, frame_.end);
+  frame_.is_in_progress = frame_.must_finish = false;
   // until springs that broke are removed, System and plan are those with which the frame began
-  if (!frame_.broken().empty()) refresh_values(plan_, scene_.system);
+  if (!frame_.runner.broken().empty()) refresh_values(plan_, scene_.system);
 
   const Energy energy = energy_after_frame();
-  if (const auto divergence = find_divergence(scene_.system, progress_.end, energy, frame_.failure())) {
+  if (const auto divergence = find_divergence(scene_.system, frame_.end, energy, frame_.runner.failure())) {
     failure_.set(*divergence, scene_, plan_, frame_history_.timeline());
     playback_.record_divergence();
     clock_.set_running(false);
@@ -272,12 +273,12 @@ bool Lab::finish_frame() {
     return false;
   }
   meter_frame(energy.total());
-  companions_.add_frame(plan_, scene_.system, scene_.settings, scene_.state, progress_.end);
+  companions_.add_frame(plan_, scene_.system, scene_.settings, scene_.state, frame_.end);
   const std::size_t filled = plan_.force_data.enclosures.enclosures.size();
   std::optional<Insert> torn = tear();
   if (torn) companions_.restart();
-  std::swap(scene_.state, progress_.end);
-  if (!start_.scene() && progress_.end.position.size() >= min_points_of_large_run) progress_.end = {};
+  std::swap(scene_.state, frame_.end);
+  if (!start_.scene() && frame_.end.position.size() >= min_points_of_large_run) frame_.end = {};
   energy_ = torn ? compute_energy(scene_.system, scene_.state) : energy;
   failure_.add_frame(scene_, energy.total());
   ++tallies_.frames;
@@ -285,7 +286,8 @@ bool Lab::finish_frame() {
   for (std::size_t left = plan_.force_data.enclosures.enclosures.size(); left < filled; ++left)
     tallies_.gas_releases.push_back(scene_.state.time);
   drag_.lag = hand_lag();
-  tallies_.last_limit_work = explained(frame_.motion().energy, plan_.hand.held || plan_.collider_paths.any_moves)[EnergyCause::StrainLimit];
+  tallies_.last_limit_work =
+      explained(frame_.runner.motion().energy, plan_.hand.held || plan_.collider_paths.any_moves)[EnergyCause::StrainLimit];
   tallies_.limit_work += tallies_.last_limit_work;
   add_to_timeline(true);
   measuring_.end_frame();
@@ -296,10 +298,10 @@ bool Lab::finish_frame() {
   return true;
 }
 
-// Of `progress_.end`, without the springs that broke.
+// Of `frame_.end`, without the springs that broke.
 Energy Lab::energy_after_frame() const {
-  Energy energy = compute_energy(scene_.system, progress_.end);
-  for (const Index s : frame_.broken()) energy.elastic -= elastic_energy(scene_.system, progress_.end, scene_.system.springs()[s]);
+  Energy energy = compute_energy(scene_.system, frame_.end);
+  for (const Index s : frame_.runner.broken()) energy.elastic -= elastic_energy(scene_.system, frame_.end, scene_.system.springs()[s]);
   return energy;
 }
 
@@ -317,9 +319,9 @@ bool Lab::step_frame() {
   std::optional<InPhase> in(std::in_place, plan_.execution.phases, Phase::Forces);
   begin_frame();
   try {
-    while (!frame_.done()) {
-      frame_.substep(plan_);
-      if (after_substep_) after_substep_();
+    while (!frame_.runner.done()) {
+      frame_.runner.substep(plan_);
+      if (frame_.after_substep) frame_.after_substep();
     }
   } catch (...) {
     drop_frame();
@@ -344,13 +346,14 @@ void Lab::advance(double real_seconds, const std::function<bool()>& should_conti
     const double frame = 1.0 / scene_.settings.frame_rate;
     clock_.accumulate(real_seconds, scene_.settings.speed);
     long stepped = 0;
-    while (clock_.is_running() && in_time && (progress_.in_frame || clock_.has_frame_due(frame))) {
+    while (clock_.is_running() && in_time && (frame_.is_in_progress || clock_.has_frame_due(frame))) {
       std::optional<InPhase> in(std::in_place, plan_.execution.phases, Phase::Forces);
-      if (!progress_.in_frame) begin_frame();
-      while (!frame_.done() && in_time) {
-        frame_.substep(plan_);
+      if (!frame_.is_in_progress) begin_frame();
+      while (!frame_.runner.done() && in_time) {
+        frame_.runner.substep(plan_);
         // without idle time, a frame is repeated beside the ones that follow
-        const bool repeats = frame_.done() || frame_.substeps_done() % substeps_per_repeated == 0;
+        const long per_repeated = measuring_.meter.is_urgent() ? substeps_per_urgent : substeps_per_repeated;
+        const bool repeats = frame_.runner.done() || frame_.runner.substeps_done() % per_repeated == 0;
         if (repeats && measuring_.meter.is_repeating()) {
           const InPhase beside(plan_.execution.phases, Phase::Accuracy);
           measuring_.meter.repeat(scene_.system);
@@ -358,7 +361,7 @@ void Lab::advance(double real_seconds, const std::function<bool()>& should_conti
         in_time = should_continue();
       }
       in.reset();
-      if (frame_.done()) {
+      if (frame_.runner.done()) {
         clock_.consume(frame);
         stepped += finish_frame() ? 1 : 0;
         in_time = in_time && compute_companions(should_continue);
@@ -371,7 +374,7 @@ void Lab::advance(double real_seconds, const std::function<bool()>& should_conti
 
 std::chrono::duration<double> Lab::time_to_next_frame() const {
   const double due = clock_.time_to_next(1.0 / scene_.settings.frame_rate);
-  return std::chrono::duration<double>(progress_.in_frame ? 0.0 : std::clamp(due / scene_.settings.speed, 0.0, 0.05));
+  return std::chrono::duration<double>(frame_.is_in_progress ? 0.0 : std::clamp(due / scene_.settings.speed, 0.0, 0.05));
 }
 
 }  // namespace hooke

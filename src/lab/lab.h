@@ -5,8 +5,8 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "edit/command.h"
@@ -21,7 +21,6 @@
 #include "lab/run_clock.h"
 #include "lab/start.h"
 #include "lab/status.h"
-#include "sim/control/frame_runner.h"
 
 namespace hooke {
 
@@ -34,7 +33,8 @@ class Lab {
   // Without a start there is no GoToStart, no timeline, and no status before the first `publish`.
   explicit Lab(Scene scene, KeepStart keep = KeepStart::Yes);
 
-  void submit(Command command, Gesture gesture = 0);
+  // `name`: of the step in the history; without one the command's own.
+  void submit(Command command, Gesture gesture = 0, std::string name = {});
   void submit(Control control, Gesture gesture = 0);
 
   // On what and in which precision frames are computed, from the next one on.
@@ -57,7 +57,7 @@ class Lab {
   bool step();
 
   // Called after every substep of `step`. What it throws passes through `step`, and discards the frame.
-  void watch_substeps(std::function<void()> after_substep) { after_substep_ = std::move(after_substep); }
+  void watch_substeps(std::function<void()> after_substep) { frame_.after_substep = std::move(after_substep); }
 
   // Continues to measure the accuracy of the frames computed so far, until it is done or `should_continue` returns false.
   void measure_accuracy(const std::function<bool()>& should_continue);
@@ -96,7 +96,7 @@ class Lab {
   const std::vector<double>& gas_releases() const { return tallies_.gas_releases; }
 
   // The last frame, for `run --json`.
-  const FrameRunner& last_frame() const { return frame_; }
+  const FrameRunner& last_frame() const { return frame_.runner; }
 
  private:
   void apply_queue();
@@ -146,10 +146,8 @@ class Lab {
   TimelineStatus timeline_status() const;
 
   Scene scene_;
-  std::shared_ptr<const Scene> opened_;  // null: none is kept
   Start start_;
-  std::vector<std::pair<std::variant<Command, Control>, Gesture>> queue_;
-  std::function<void()> after_substep_;
+  std::vector<Queued> queue_;
   History history_;
   FrameHistory frame_history_;
   Recorder recorder_;
@@ -158,8 +156,7 @@ class Lab {
   Metering measuring_;
   Companions companions_;
   Plan plan_;
-  FrameRunner frame_;
-  FrameProgress progress_;
+  FrameProgress frame_;
   Energy energy_;  // of the scene
   Failure failure_;
   DragState drag_;

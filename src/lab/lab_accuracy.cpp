@@ -7,11 +7,11 @@ namespace hooke {
 // Passes the frame from the present state to its end on to the meter.
 void Lab::meter_frame(double energy) {
   if (measuring_.meter.mode() == AccuracyMode::Off) return;
-  const bool is_torn = !frame_.broken().empty();
+  const bool is_torn = !frame_.runner.broken().empty();
   // a frame in which springs broke is computed again before they are removed, unless earlier ones wait: then the second runs start again
   const bool at_once = measuring_.at_once || (is_torn && !measuring_.meter.has_work());
-  measuring_.meter.add_frame(plan_, scene_.system, settings_used(scene_.settings, progress_.end), scene_.state, progress_.end,
-                             frame_.motion(), energy_.total(), energy);
+  measuring_.meter.add_frame(plan_, scene_.system, settings_used(scene_.settings, frame_.end), scene_.state, frame_.end,
+                             frame_.runner.motion(), energy_.total(), energy);
   // in most frames there is nothing to compute, and reading the clock would take as long as a frame of two points
   if (at_once && has_accuracy_to_measure()) {
     const double start = thread_cpu_seconds();

@@ -18,20 +18,19 @@ Control& Control::operator=(Control&&) noexcept = default;
 Control::~Control() = default;
 
 void Lab::open(std::shared_ptr<const Scene> scene) {
-  start_.set(scene);
   scene_ = *scene;
-  opened_ = std::move(scene);
+  start_.open(std::move(scene));
   reset_session();
   // until the first edit, readers share the System of the start, which avoids a copy
-  published_.system = std::shared_ptr<const System>(opened_, &opened_->system);
+  published_.system = std::shared_ptr<const System>(start_.opened(), &start_.opened()->system);
   published_.system_revision = scene_.revision;
 }
 
 // Resets everything for the scene that was just opened.
 void Lab::reset_session() {
   scene_.state.supply = {};
-  progress_.held_edits.clear();
-  progress_.must_finish = false;
+  frame_.held_edits.clear();
+  frame_.must_finish = false;
   published_ = {.status = published_.status};
   history_.clear();
   failure_.restart(scene_.state.time);
@@ -44,7 +43,7 @@ void Lab::reset_session() {
   measuring_.meter.restart();
   tallies_ = {.edits = tallies_.edits};
   update_plan({.structure = true});
-  frame_.take_change();  // it is the start of a run, not an edit in one
+  frame_.runner.take_change();  // it is the start of a run, not an edit in one
   initialize_supply(scene_.system, scene_.state);
 }
 
@@ -57,13 +56,13 @@ void Lab::rebuild_plan() {
 void Lab::set_execution(Execution execution) {
   execution.phases = plan_.execution.phases;
   plan_.execution = std::move(execution);
-  progress_.device = plan_.execution.device;
+  frame_.device = plan_.execution.device;
 }
 
 std::string Lab::device_refusal() const {
-  if (progress_.device == nullptr) return {};
+  if (frame_.device == nullptr) return {};
   if (playback_.is_on() || recorder_.file() != nullptr) return "not on the GPU: recordings, whose replay has the same bits";
-  return progress_.device->refusal(plan_, *scene_.settings.integrator);
+  return frame_.device->refusal(plan_, *scene_.settings.integrator);
 }
 
 Scene Lab::scene_at_start() {
@@ -140,11 +139,11 @@ void Lab::set_start() {
 }
 
 void Lab::reset_parameters() {
-  if (!opened_) return;
+  if (!start_.opened()) return;
   playback_.stop();
   // one step of the history, though several commands
   const Gesture reset = std::numeric_limits<Gesture>::max() - 1 - static_cast<Gesture>(tallies_.edits);
-  for (const Command& command : commands_to_reset_parameters(scene_, *opened_)) edit(command, reset, "reset parameters");
+  for (const Command& command : commands_to_reset_parameters(scene_, *start_.opened())) edit(command, reset, "reset parameters");
 }
 
 void Lab::release_nails() {
@@ -159,7 +158,7 @@ void Lab::release_nails() {
 
 void Lab::record(const Record& what) {
   drop_frame();
-  if (frame_.take_change()) estimate_after_edit(scene_.state.memory);
+  if (frame_.runner.take_change()) estimate_after_edit(scene_.state.memory);
   if (what.file)
     recorder_.start(*what.file, scene_);
   else
@@ -168,7 +167,7 @@ void Lab::record(const Record& what) {
 
 void Lab::play(const Play& what) {
   open(what.recording->start);
-  scene_.state.supply = opened_->state.supply;
+  scene_.state.supply = start_.opened()->state.supply;
   recorder_.record_scene(scene_);
   playback_.start(what.recording);
   if (what.recording->frames == 0) play_edits();
@@ -211,7 +210,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  },
                  [&](const SetDevice& set) {
                    drop_frame();
-                   progress_.device = set.device;
+                   frame_.device = set.device;
                    // the runs beside the run, too
                    companions_.restart();
                    measuring_.meter.note_edit();

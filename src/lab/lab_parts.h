@@ -3,13 +3,19 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "edit/command.h"
 #include "edit/history.h"
 #include "lab/accuracy/accuracy_meter.h"
+#include "lab/controls.h"
 #include "lab/status.h"
+#include "sim/control/frame_runner.h"
 #include "sim/plan/phase_times.h"
 
 namespace hooke {
@@ -20,12 +26,21 @@ class FrameDevice;
 // monitor of a run, keep nothing between frames that can be computed again.
 inline constexpr std::size_t min_points_of_large_run = 100'000;
 
+// What was submitted and is not applied yet.
+struct Queued {
+  std::variant<Command, Control> what;
+  Gesture gesture = 0;
+  std::string name{};  // of the step in the history
+};
+
 // The frame that is being computed.
 struct FrameProgress {
-  bool in_frame = false;
+  bool is_in_progress = false;
   bool must_finish = false;         // an edit discarded the previous frame
   std::vector<Command> held_edits;  // applied while a frame that they do not affect is in progress; recorded after it
   State end;                        // result of the frame
+  FrameRunner runner;
+  std::function<void()> after_substep;  // null: nothing is called
   // Computes the frames of scenes that it does not refuse; null: the processor computes all.
   std::shared_ptr<FrameDevice> device;
 };

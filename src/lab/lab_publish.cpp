@@ -40,7 +40,7 @@ const std::shared_ptr<const System>& Lab::published_system() {
 
 const std::shared_ptr<const DocumentStatus>& Lab::published_document() {
   if (!published_.document || published_.document_revision != scene_.revision)
-    published_.document = std::make_shared<const DocumentStatus>(document_of(scene_, opened_.get()));
+    published_.document = std::make_shared<const DocumentStatus>(document_of(scene_, start_.opened().get()));
   published_.document_revision = scene_.revision;
   return published_.document;
 }
@@ -87,7 +87,7 @@ RunStatus Lab::run_status() const {
           .limit_work = tallies_.limit_work,
           .gas_releases = tallies_.gas_releases.size(),
           .crossings = last_frame().motion().crossings,
-          .on_device = progress_.device != nullptr,
+          .on_device = frame_.device != nullptr,
           .device_refusal = device_refusal()};
 }
 

@@ -48,9 +48,9 @@ void LabThread::post(Task task, bool urgent) {
   posted_.notify_one();
 }
 
-void LabThread::submit(Command command, Gesture gesture) {
+void LabThread::submit(Command command, Gesture gesture, std::string name) {
   const bool urgent = !std::holds_alternative<MoveHand>(command);
-  post([command = std::move(command), gesture](Lab& lab) { lab.submit(command, gesture); }, urgent);
+  post([command = std::move(command), gesture, name = std::move(name)](Lab& lab) { lab.submit(command, gesture, name); }, urgent);
 }
 
 void LabThread::submit(Control control, Gesture gesture) {

@@ -9,6 +9,7 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -29,7 +30,8 @@ class LabThread {
   LabThread(const LabThread&) = delete;
   LabThread& operator=(const LabThread&) = delete;
 
-  void submit(Command command, Gesture gesture = 0);
+  // `name`: of the step in the history; without one the command's own.
+  void submit(Command command, Gesture gesture = 0, std::string name = {});
   void submit(Control control, Gesture gesture = 0);
 
   // The latest status; never null.

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "edit/command.h"
@@ -14,12 +15,19 @@ namespace hooke {
 
 class Start {
  public:
+  // The start of another document.
+  void open(std::shared_ptr<const Scene> scene) {
+    set(scene);
+    opened_ = std::move(scene);
+  }
   void set(std::shared_ptr<const Scene> scene);
   // Edits made before the first frame belong to the start: records one, and takes `scene` as the start if there were any.
   void record_edit() { is_edited_ = true; }
   void keep_edits(const Scene& scene);
   // Null: none is kept.
   const std::shared_ptr<const Scene>& scene() const { return scene_; }
+  // As the document was opened; null: none is kept.
+  const std::shared_ptr<const Scene>& opened() const { return opened_; }
 
   // Records points added since then: they start where they were put.
   void record_added(const Insert& insert);
@@ -43,7 +51,7 @@ class Start {
   struct Place {
     Vec3 position, velocity;  // [m], [m/s]
   };
-  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const Scene> scene_, opened_;
   bool is_edited_ = false;  // since it was set
   std::map<PointId, Place> added_;
   std::set<PointId> released_;

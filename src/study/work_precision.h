@@ -65,6 +65,9 @@ ProblemRecord make_record(const Problem& problem);
 // The place of a row in the table of integrators; that of other engines is after it.
 std::ptrdiff_t method_index(const Row& row);
 
+// Ends the names of methods that were measured on a device.
+inline constexpr std::string_view on_device = " on GPU";
+
 // Limits on the work.
 struct Effort {
   int repeats = 5;                  // of a run; the minimum time counts
@@ -88,7 +91,7 @@ class PrecisionSweep {
   const std::string& reference_failure_reason() const { return reference_failure_reason_; }
 
  private:
-  std::string name_of(const Integrator& method) const { return std::string(method.id) + (device_ ? " on GPU" : ""); }
+  std::string name_of(const Integrator& method) const { return std::string(method.id) + (device_ ? std::string(on_device) : ""); }
   const Row* measure(const Integrator& method, const Setting& setting);
   std::optional<Row> measure_row(const Integrator& method, const Setting& setting);
   bool ensure_reference();

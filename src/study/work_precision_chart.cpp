@@ -111,9 +111,13 @@ GnuplotChart work_precision_chart(const Results& results) {
       "set format y '10^{%T}'\n"
       "set format x '%g'\n"
       "set grid xtics ytics linecolor rgb '#EEEEEE' linetype 1\n"
-      "set xlabel 'CPU time, ms per simulated second' offset 0,0.3\n"
       "set ylabel 'relative error' offset 1,0\n"
       "set key rmargin top Left reverse noenhanced samplen 2 font ',13'\n";
+  const bool has_device = std::ranges::any_of(results.problems, [](const ProblemRecord& record) {
+    return std::ranges::any_of(record.rows, [](const Row& row) { return row.method.ends_with(on_device); });
+  });
+  append_formatted(script, "set xlabel '%s, ms per simulated second' offset 0,0.3\n",
+                   has_device ? "CPU time (on GPU: real time)" : "CPU time");
   append_formatted(script,
                    "set yrange [1e%d:1e%d]\n"
                    "set multiplot layout %d,%d title \"Speed against error\\n{/*0.65 Lower left is better. No measured setting is both "

@@ -23,6 +23,7 @@ enum class Key : int {
   F1 = 290,
   F10 = 299,
   F12 = 301,
+  Alt = 342,  // pressed and released alone
 };
 constexpr Key letter(char capital) { return static_cast<Key>(capital); }
 

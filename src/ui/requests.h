@@ -16,10 +16,11 @@
 
 namespace hooke {
 
-// `continues`: part of the same undo step as the previous edit (the slider is still held).
+// `continues`: part of the same undo step as the previous edit (the slider is still held). `name`: of that step, or the command's own.
 struct Edit {
   Command command;
   bool continues = false;
+  std::string name{};
 };
 struct OpenFile {
   std::filesystem::path file;

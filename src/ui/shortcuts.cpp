@@ -28,7 +28,7 @@ constexpr std::array named_keys{
     std::pair{Key::Tab, "Tab"},     std::pair{Key::Delete, "Del"}, std::pair{Key::Backspace, "Backspace"},
     std::pair{Key::Right, "Right"}, std::pair{Key::Left, "Left"},  std::pair{Key::Down, "Down"},
     std::pair{Key::Up, "Up"},       std::pair{Key::Home, "Home"},  std::pair{Key::F1, "F1"},
-    std::pair{Key::F10, "F10"},     std::pair{Key::F12, "F12"},
+    std::pair{Key::F10, "F10"},     std::pair{Key::F12, "F12"},    std::pair{Key::Alt, "Alt"},
 };
 
 }  // namespace

@@ -45,6 +45,11 @@ RareCharacters::~RareCharacters() {
   }
 }
 
+std::string milliseconds_text(double ms) {
+  constexpr double smallest = 1e-3;
+  return number_text(smallest * std::round(ms / smallest), 2) + " ms";
+}
+
 std::string count(long n, std::string_view noun) { return std::to_string(n) + " " + std::string(noun) + (n == 1 ? "" : "s"); }
 
 }  // namespace hooke

@@ -12,6 +12,8 @@ namespace hooke {
 std::string with_unit(double value, std::string_view unit);
 // Six digits that can be typed again: "1500000", "0.000025".
 std::string typed_text(double value);
+// Of the time that something takes [ms]: "57 ms", "0.31 ms".
+std::string milliseconds_text(double ms);
 // "3 points", "1 point"
 std::string count(long n, std::string_view noun);
 

@@ -29,7 +29,9 @@ std::set<ImWchar> cjk_characters;
 bool cjk_characters_are_new = false;
 bool has_emoji = false;  // in the texts so far
 
+// A line of that font is higher than one of the others, and its characters would be smaller.
 void add_cjk_characters(float pixels) {
+  constexpr float line_height = 1.2f;
   static std::vector<ImWchar> ranges;  // as long as the fonts
   ranges.clear();
   for (const ImWchar c : cjk_characters) ranges.insert(ranges.end(), {c, c});
@@ -37,7 +39,7 @@ void add_cjk_characters(float pixels) {
   ImFontConfig config;
   config.MergeMode = true;
   if (const std::filesystem::path file = cjk_font_file(); !file.empty() && !cjk_characters.empty())
-    ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), pixels, &config, ranges.data());
+    ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), std::round(line_height * pixels), &config, ranges.data());
 }
 
 // In whole pixels: the hinting of other sizes is blurred.
@@ -191,9 +193,11 @@ bool needs_fonts() { return cjk_characters_are_new; }
 
 std::string missing_font() {
   static bool cjk_is_reported = false, emoji_are_reported = false;
+  std::string text;
   if (!cjk_characters.empty() && cjk_font_file().empty() && !std::exchange(cjk_is_reported, true))
-    return "Chinese, Japanese and Korean characters are shown as boxes until the package fonts-noto-cjk is installed";
-  return has_emoji && !std::exchange(emoji_are_reported, true) ? "Emoji and other rare characters are shown as boxes" : "";
+    text = "Chinese, Japanese and Korean characters are shown as boxes until the package fonts-noto-cjk is installed. ";
+  if (has_emoji && !std::exchange(emoji_are_reported, true)) text += "Emoji and other rare characters are shown as boxes";
+  return text;
 }
 
 const Fonts& fonts() { return current_fonts; }

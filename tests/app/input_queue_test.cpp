@@ -79,6 +79,17 @@ TEST(InputQueue, OtherInputKeepsItsOrder) {
   EXPECT_EQ(typist.frame(), "release1 click ");
 }
 
+// Ctrl+A, as fast as programs type it: Ctrl is up before A is.
+TEST(InputQueue, AModifierReleasedWithinTheFrameOfAnEditingKeyStaysDownWithIt) {
+  Typist typist;
+  typist.add(Kind::Press, 341, "ctrl");
+  typist.add(Kind::Edit, 'A', "a");
+  typist.add(Kind::Release, 341, "no_ctrl");
+  typist.add(Kind::Release, 'A', "no_a");
+  EXPECT_EQ(typist.frame(), "ctrl a ");
+  EXPECT_EQ(typist.frame(), "no_ctrl no_a ");
+}
+
 TEST(InputQueue, LettersTypedWithinAFrameAreReportedTogether) {
   Typist typist;
   typist.type('a');

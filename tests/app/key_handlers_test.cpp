@@ -100,6 +100,16 @@ TEST(KeyHandlers, TheGalleryKeepsKeysFromTheHiddenScene) {
   EXPECT_FALSE(gui.status().history.unsaved);
 }
 
+TEST(KeyHandlers, AltAloneOpensAndClosesTheMenus) {
+  GuiFixture gui(two_masses());
+  EXPECT_EQ(press(gui, Key::Alt), "shortcuts");
+  gui.frames(3);
+  EXPECT_TRUE(gui.app().panels().menus.is_open);
+  EXPECT_EQ(press(gui, Key::Alt), "menu");
+  gui.frames(3);
+  EXPECT_FALSE(gui.app().panels().menus.is_open);
+}
+
 TEST(KeyHandlers, F10OpensTheMenusWhichTheArrowsAndEnterOperate) {
   GuiFixture gui(two_masses());
   const auto imgui_key = [&](int key) {

@@ -60,6 +60,17 @@ TEST(Placement, ThePreviewShowsTheResultAndChangesNothing) {
 }
 
 // Without the choice of another view, the one before comes back.
+TEST(Placement, ItsPanelTakesThePlaceOfTheOthersAtTheLeft) {
+  GuiFixture gui(is_3d_only());
+  gui.key(letter('H'), {.control = true, .shift = true});
+  EXPECT_TRUE(gui.app().panels().times.is_shown);
+  EXPECT_TRUE(choose(gui, "sheet").is_on());
+  EXPECT_FALSE(gui.app().panels().times.is_shown);
+  gui.key(letter('H'), {.control = true, .shift = true});
+  EXPECT_TRUE(gui.app().panels().times.is_shown);
+  EXPECT_FALSE(gui.app().panels().placement.is_on());
+}
+
 TEST(Placement, OfALargePartIsSeenFromFartherAway) {
   for (const bool is_placed : {false, true}) {
     GuiFixture gui(is_3d_only());

@@ -136,6 +136,7 @@ TEST(SelectTool, HandlesAroundTheSelectionTurnAndScaleIt) {
   fixture.drag(*tool, corner, center + 2.0 * (corner - center));
   EXPECT_NEAR(glm::distance(fixture.position(0), fixture.position(1)), 2.0 * length, 1e-9);
   EXPECT_NEAR(fixture.system().springs()[0].rest_length, 2.0 * length, 1e-9);
+  EXPECT_EQ(fixture.context.status->history.undo_name, "scale 2 points");
   fixture.submit(Undo{});
   EXPECT_NEAR(fixture.system().springs()[0].rest_length, length, 1e-12);
   EXPECT_LT(glm::distance(fixture.position(0), a), 1e-12);

@@ -292,6 +292,25 @@ TEST(AccuracyMeter, AfterAnEditTheErrorIsUnknownUntilTheNextMeasurement) {
   EXPECT_TRUE(lab.accuracy().accumulated.value);
 }
 
+// A window that has no idle time: a frame is repeated beside the ones that follow.
+TEST(AccuracyMeter, WhereSomethingHitsTheErrorOfThatFrameIsKnownSoon) {
+  TestSim sim;
+  sim.add({0.0, 1.0, 0.0});
+  sim.system.colliders.push_back({.shape = Plane{}, .restitution = 0.5});
+  Lab lab(scene_of(sim, {.substeps = 24}));
+  lab.submit(Control(SetRunning{true}));
+  double hit = 0.0, known = 0.0;
+  for (int frame = 0; frame < 120 && known == 0.0; ++frame) {
+    lab.advance(1.0 / 60.0, [] { return true; });
+    const double now = lab.scene().state.time;
+    if (hit == 0.0 && lab.scene().state.velocity[0].y > 0.0) hit = now;
+    if (hit > 0.0 && lab.accuracy().frame_time >= hit) known = now;
+  }
+  ASSERT_GT(hit, 0.0);
+  ASSERT_GT(known, 0.0);
+  EXPECT_LT(known - hit, 0.25) << "[s]";
+}
+
 // The substeps reported for half the error give half the error.
 TEST(AccuracyMeter, HalfTheErrorCostsAsMuchAsReported) {
   const TestSim sim = net(8, 1e2, 0.0);

@@ -360,6 +360,14 @@ TEST(Remedy, CountsTheWorkOfForcesAndOfStepsThatAMethodChooses) {
   EXPECT_GT(work_of_frame(adaptive), 10.0 * work_of_frame(chain_and_centers(12, 0.05, "velocity_verlet", 1)));
 }
 
+TEST(Remedy, NamesWhatKeepsTheMethodWhereThatIsTooExpensiveToTest) {
+  Remedy remedy{.cause = Remedy::Cause::StepTooLong, .cheapest = TestedSetting{{find_integrator("baraff_witkin"), 16}, 0.6, 2.5, {}}};
+  remedy.untested = TestedSetting{{find_integrator("runge_kutta4"), 2156}, 0.03, 50.0, {}};
+  const std::string text = describe(remedy, {.integrator = find_integrator("runge_kutta4")});
+  EXPECT_NE(text.find("Runge-Kutta 4 with 2156 substeps per frame takes too long to be tested; about 0.02\u00d7 real time."), text.npos)
+      << text;
+}
+
 // A remedy that is slower than real time is named with its speed.
 TEST(Remedy, NamesTheSpeedOfASlowSetting) {
   const Scene scene = scene_of(shaken_sheet(1e5, 0.02, 1), "velocity_verlet", 2);

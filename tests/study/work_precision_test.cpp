@@ -196,6 +196,13 @@ TEST(BenchChart, TheScriptDrawsAndNamesEveryMethod) {
   EXPECT_NE(script.find("$panel0_front with lines"), std::string::npos);
 }
 
+TEST(BenchChart, NamesTheTimeOfADevice) {
+  ProblemRecord record = swept_record();
+  EXPECT_NE(work_precision_chart(results_of(record)).script.find("set xlabel 'CPU time, ms"), std::string::npos);
+  record.rows.front().method = "velocity_verlet on GPU";
+  EXPECT_NE(work_precision_chart(results_of(record)).script.find("set xlabel 'CPU time (on GPU: real time), ms"), std::string::npos);
+}
+
 TEST(BenchChart, DrawsOtherEnginesBesideTheMethods) {
   ProblemRecord record = swept_record();
   Row row = record.rows.front();

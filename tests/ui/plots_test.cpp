@@ -119,6 +119,17 @@ TEST(Plots, NoLineLeadsAcrossAJumpInTime) {
   EXPECT_EQ(jumps, 1u);
 }
 
+TEST(Plots, AFlatSceneHasOneAngularMomentum) {
+  GuiFixture gui(swinging());
+  run_with_plots(gui);
+  gui.click(gui.find("plots", {"Choose"}));
+  gui.frames(3);
+  std::string words = gui.text();
+  std::erase(words, ' ');
+  EXPECT_NE(words.find("Angularmomentumkgm"), std::string::npos) << words;
+  EXPECT_EQ(words.find("Angularmomentumabout"), std::string::npos) << words;
+}
+
 TEST(Plots, EscClosesTheListOfQuantities) {
   GuiFixture gui(swinging());
   run_with_plots(gui);

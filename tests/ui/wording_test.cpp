@@ -47,6 +47,13 @@ TEST(Wording, OfADampingRatioThatDiffers) {
   EXPECT_TRUE(is_shown_later(gui, "varies between parts")) << gui.text();
 }
 
+TEST(Wording, OfTheTimeThatSomethingTakes) {
+  EXPECT_EQ(milliseconds_text(57.3), "57 ms");
+  EXPECT_EQ(milliseconds_text(0.0391), "0.039 ms");
+  EXPECT_EQ(milliseconds_text(1e-7), "0 ms");
+  EXPECT_EQ(milliseconds_text(1234.0), "1234 ms");
+}
+
 TEST(Wording, OfTooltips) {
   GuiFixture gui(two_points());
   gui.find("side", {"stiffness", "##value"});

@@ -28,7 +28,7 @@ std::string named_for_hands(const Shortcut& row) {
   static const std::map<std::string, std::string> names = {
       {"Space", "space"},         {"Esc", "Escape"}, {"Enter", "Return"}, {"Del", "Delete"},
       {"Backspace", "BackSpace"}, {".", "period"},   {",", "comma"},      {"[", "bracketleft"},
-      {"]", "bracketright"},      {"=", "equal"},    {"-", "minus"}};
+      {"]", "bracketright"},      {"=", "equal"},    {"-", "minus"},      {"Alt", "alt"}};
   std::string text = key_text(row), before;
   for (const char* held : {"Ctrl+", "Shift+"}) {
     if (!text.starts_with(held)) continue;

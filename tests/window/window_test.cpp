@@ -83,6 +83,26 @@ double gap(const Scene& scene, Index point, const Vec3& place) { return glm::dis
 // The size of a screen pixel in the scene [m].
 constexpr double pixel = 0.005;
 
+// The program is stopped while the keys are pressed and released, as in a frame that takes long.
+TEST(Window, SelectsAllInTheSaveDialogWithKeysOfOneFrame) {
+  Session session;
+  Desktop& desktop = session.desktop;
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment"));
+  rest(1.5);
+  desktop.run_xdotool("key --delay 100 ctrl+shift+s");
+  rest(1.0);
+  desktop.key("End");
+  session.program.signal(SIGSTOP);
+  desktop.run_xdotool("key ctrl+a");
+  session.program.signal(SIGCONT);
+  rest(0.5);
+  const std::filesystem::path to = desktop.folder() / "all.json";
+  desktop.type(to.string());
+  desktop.key("Return");
+  EXPECT_TRUE(desktop.wait_for_title("Hooke - all"));
+  EXPECT_TRUE(std::filesystem::exists(to));
+}
+
 TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
   const Vec3 top(-0.2, 0.5, 0.0), middle(0.1, 0.3, 0.0), bottom(0.3, 0.1, 0.0), loose(-0.6, -0.7, 0.0);
   Session session;

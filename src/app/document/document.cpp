@@ -10,9 +10,6 @@
 namespace hooke {
 namespace {
 
-// The interval at which the file is checked for changes [s].
-constexpr double watch_period = 1.0;
-
 // "nail 3 points, add 1 point (2 times), set Stiffness k to 185 N/m and 4 more"
 std::string changes_text(const std::vector<std::string>& changes) {
   constexpr std::size_t max_shown = 4;
@@ -43,8 +40,7 @@ Document::Document(ToolContext& context, Panels& panels, FileTask& task, const U
       file_(std::move(file)),
       recent_(home.state),
       session_(home.state.empty() ? home.state : home.state / "runs"),
-      autosave_(session_),
-      has_system_dialog_(!SystemDialog::find().empty()) {
+      autosave_(session_) {
   autosave_.set_interval(settings.values().autosave_seconds);
   list_recoverable();
   if (!recoverable_.empty()) panels_.waiting.push_back({.kind = Dialog::Kind::Recovery, .is_new = true});
@@ -131,10 +127,7 @@ void Document::poll() {
   autosave_.follow(status(), context_.lab, now, add_view_settings());
   if (const std::string error_text = autosave_.take_error(); !error_text.empty())
     panels_.banners.file_warnings = "Autosave failed: " + error_text;
-  if (now >= watched_at_ + watch_period) {
-    watched_at_ = now;
-    check_file();
-  }
+  if (const auto change = watch_.check_at(now)) report_change(*change);
   poll_system_dialog();
 }
 
@@ -146,8 +139,7 @@ void Document::report_replay_difference() {
 }
 
 // The notice stays until the user responds.
-void Document::check_file() {
-  const FileWatch::Change change = watch_.check();
+void Document::report_change(FileWatch::Change change) {
   panels_.banners.file_is_missing = change == FileWatch::Change::Deleted;
   if (change == FileWatch::Change::None)
     panels_.banners.file_notice.clear();

@@ -67,7 +67,7 @@ class Document {
   std::filesystem::path new_file_beside(const std::string& extension) const;
   const std::vector<std::filesystem::path>& recent_files() const { return recent_.files(); }
   const std::vector<RecoveryEntry>& recovery_entries() const { return recovery_entries_; }
-  bool has_system_dialog() const { return has_system_dialog_; }
+  bool has_system_dialog() const { return system_dialog_.is_installed(); }
 
  private:
   const Status& status() const { return *context_.status; }
@@ -84,7 +84,7 @@ class Document {
   void finish_saving(const std::filesystem::path& file, double time, const std::string& error);
   std::function<void(Scene&)> add_view_settings() const;
   void report_replay_difference();
-  void check_file();
+  void report_change(FileWatch::Change change);
   void poll_system_dialog();
   void list_recoverable();
 
@@ -106,9 +106,7 @@ class Document {
   Session session_;
   Autosave autosave_;
   FileWatch watch_;
-  double watched_at_ = 0.0;  // [s]
   SystemDialog system_dialog_;
-  bool has_system_dialog_ = false;
   std::string reported_difference_;
   std::vector<RecoverableScene> recoverable_;
   std::vector<RecoveryEntry> recovery_entries_;  // the same, for the panels

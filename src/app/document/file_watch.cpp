@@ -16,6 +16,13 @@ FileWatch::Change FileWatch::check() const {
   return now == stamp_ ? Change::None : Change::Modified;
 }
 
+std::optional<FileWatch::Change> FileWatch::check_at(double now) {
+  constexpr double period = 1.0;  // [s]
+  if (now < checked_at_ + period) return std::nullopt;
+  checked_at_ = now;
+  return check();
+}
+
 FileWatch::FileStamp FileWatch::stamp_of(const std::filesystem::path& file) {
   struct stat status;
   if (file.empty() || ::stat(file.c_str(), &status) != 0) return {};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 namespace hooke {
 
@@ -13,6 +14,8 @@ class FileWatch {
   // Watches this file from its current state on; no file if the path is empty.
   void take(const std::filesystem::path& file);
   Change check() const;
+  // Once per frame, at `now` [s]: checks once in a while.
+  std::optional<Change> check_at(double now);
 
  private:
   struct FileStamp {
@@ -25,6 +28,7 @@ class FileWatch {
 
   std::filesystem::path file_;
   FileStamp stamp_;
+  double checked_at_ = 0.0;  // [s]
 };
 
 }  // namespace hooke

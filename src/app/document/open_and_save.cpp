@@ -18,13 +18,13 @@ std::vector<Choice> choices_to_save_elsewhere() { return {{"Save as...", Answer:
 }  // namespace
 
 void Document::ask_what_to_open() {
-  if (settings_.values().system_dialogs && has_system_dialog_) return open_system_dialog(false);
+  if (settings_.values().system_dialogs && has_system_dialog()) return open_system_dialog(false);
   panels_.open_file_dialog(Dialog::Kind::Open, start_folder());
 }
 
 void Document::ask_where_to_save(LabThread::Moment moment) {
   saving_.moment = moment;
-  if (settings_.values().system_dialogs && has_system_dialog_) return open_system_dialog(true);
+  if (settings_.values().system_dialogs && has_system_dialog()) return open_system_dialog(true);
   panels_.open_file_dialog(Dialog::Kind::Save, start_folder(), proposed_file().string());
   if (moment == LabThread::Moment::Present)
     panels_.dialog.title = "Save the state at t = " + time_text(status().snapshot->state.time) + " as";

@@ -27,6 +27,7 @@ class SystemDialog {
 
   // False if it cannot be started.
   bool start(Kind kind, const std::filesystem::path& start);
+  bool is_installed() const { return is_installed_; }
   bool is_open() const { return process_ > 0; }
   Kind kind() const { return kind_; }
   // After the user closed it: the chosen file, or an empty path if it was canceled.
@@ -34,6 +35,7 @@ class SystemDialog {
 
  private:
   void stop();
+  const bool is_installed_ = !find().empty();
   int process_ = 0, answers_ = -1;
   Kind kind_ = Kind::Open;
   std::string answer_;

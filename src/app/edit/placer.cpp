@@ -58,8 +58,8 @@ double Placer::size_in_view() const {
 void Placer::start(const ColliderKind& kind) {
   mesh_.reset();
   const Vec3 up = context_.system().dimensions == 2 ? Vec3(0.0, 1.0, 0.0) : context_.camera.pole;
-  const Dock dock = placement_dock(layout_, context_.scale);
-  const double left = dock.is_over_scene ? dock.place.x + dock.place.width - layout_.scene.x : 0.0;
+  const Dock dock = placement_dock(context_.layout, context_.scale);
+  const double left = dock.is_over_scene ? dock.place.x + dock.place.width - context_.layout.scene.x : 0.0;
   const Vec3 at = context_.point_in_view_plane({0.5 * (left + context_.size.x), 0.5 * context_.size.y}, context_.camera.target);
   panels_.placement = {};
   panels_.placement.collider = kind.make(at, size_in_view(), up);
@@ -95,8 +95,8 @@ Scene Placer::preview_at(const glm::dvec2& cursor) {
 // Starts in the middle of what the panel leaves free; what is larger is seen from farther away.
 void Placer::place_in_sight() {
   restore_view();
-  const Dock dock = placement_dock(layout_, context_.scale);
-  const double left = dock.is_over_scene ? dock.place.x + dock.place.width - layout_.scene.x : 0.0;
+  const Dock dock = placement_dock(context_.layout, context_.scale);
+  const double left = dock.is_over_scene ? dock.place.x + dock.place.width - context_.layout.scene.x : 0.0;
   const glm::dvec2 middle{0.5 * (left + context_.size.x), 0.5 * context_.size.y};
   const glm::dvec2 room{std::max(1.0, 0.5 * (context_.size.x - left)), middle.y};
   const Camera before = context_.camera;

@@ -12,8 +12,7 @@ namespace hooke {
 
 class Placer {
  public:
-  Placer(ToolContext& context, Panels& panels, const Layout& layout, FileTask& task)
-      : context_(context), panels_(panels), layout_(layout), task_(task) {}
+  Placer(ToolContext& context, Panels& panels, FileTask& task) : context_(context), panels_(panels), task_(task) {}
 
   // Starts where the camera looks; a mesh if `shape` is null.
   void start(const ShapeKind* shape);
@@ -41,7 +40,6 @@ class Placer {
 
   ToolContext& context_;
   Panels& panels_;
-  const Layout& layout_;
   FileTask& task_;
   std::shared_ptr<const Scene> mesh_;  // null until one is read
   std::optional<Scene> placed_;        // on its way into the scene

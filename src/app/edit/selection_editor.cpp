@@ -89,9 +89,10 @@ void SelectionEditor::weld() {
   const std::vector<PointId> points = context_.selection.points;
   if (points.size() < 2) return panels_.show_toast("Select the points to weld: two or more");
   const Gesture gesture = context_.begin_gesture();
+  const std::string shown = count(std::ssize(points), "point");
   for (Command& command : hooke::weld(context_.snapshot(), context_.status->document->sheet.get(), points, context_.new_ids()))
-    context_.lab.submit(std::move(command), gesture);
-  panels_.show_toast("Welded " + count(static_cast<long>(points.size()), "point"));
+    context_.lab.submit(std::move(command), gesture, "weld " + shown);
+  panels_.show_toast("Welded " + shown);
   context_.selection = {{points.front()}, {}};
 }
 
@@ -100,7 +101,8 @@ void SelectionEditor::split() {
       hooke::split(context_.snapshot(), context_.status->document->sheet.get(), context_.selection.points, context_.new_ids());
   if (commands.empty()) return panels_.show_toast("Nothing to split: select points where springs meet, not of a surface");
   const Gesture gesture = context_.begin_gesture();
-  for (Command& command : commands) context_.lab.submit(std::move(command), gesture);
+  const std::string name = "split " + count(std::ssize(context_.selection.points), "point");
+  for (Command& command : commands) context_.lab.submit(std::move(command), gesture, name);
   panels_.show_toast("Split: each spring has an end of its own");
 }
 

@@ -7,7 +7,7 @@ namespace hooke {
 
 KeyHandlers App::make_key_handlers() {
   using Target = PanelKey::Target;
-  const auto pass_on = [this](Target target, const KeyPress& press) { panel_keys_.push_back({target, press.key}); };
+  const auto pass_on = [this](Target target, const KeyPress& press) { keyboard_.for_panels.push_back({target, press.key}); };
   // Esc closes an overlay
   const auto close = [this](bool& shown, const KeyPress& press) {
     if (!shown || press.key != Key::Escape) return false;
@@ -35,7 +35,7 @@ KeyHandlers App::make_key_handlers() {
        [this, pass_on](const KeyPress& press) {
          if (!panels_.menus.is_open) return false;
          if (press.key == Key::Escape) panels_.messages.toast.clear();
-         pass_on(Target::Menu, press.key == Key::F10 ? KeyPress{Key::Escape, {}} : press);
+         pass_on(Target::Menu, press.key == Key::F10 || press.key == Key::Alt ? KeyPress{Key::Escape, {}} : press);
          return true;
        }},
       // all keys, unless a number is being typed
@@ -68,7 +68,7 @@ KeyHandlers App::make_key_handlers() {
 
 bool App::press_in_gallery(const KeyPress& press) {
   if (!panels_.gallery.is_shown || press.modifiers != Modifiers{}) return false;
-  if (move_in_gallery(panels_, layout_, press.key)) return true;
+  if (move_in_gallery(panels_, tool_context_.layout, press.key)) return true;
   if (press.key == Key::Enter) document_.open(shipped_scenes()[panels_.gallery.chosen].file);
   return press.key == Key::Enter;
 }

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "app/tools/tune.h"
 #include "app/window/event.h"
+#include "ui/panels.h"
 
 namespace hooke {
 
@@ -16,6 +19,12 @@ struct KeyHandler {
   std::function<bool(const KeyPress& press)> handle;
 };
 using KeyHandlers = std::vector<KeyHandler>;
+
+struct Keyboard {
+  KeyHandlers handlers;
+  std::vector<PanelKey> for_panels{};  // of the next frame
+  std::optional<LastTuning> tuned{};   // by the newest of the keys that change a value step by step
+};
 
 // The name of the handler that handled the key; empty if none did.
 inline std::string_view dispatch(const KeyHandlers& handlers, const KeyPress& press) {

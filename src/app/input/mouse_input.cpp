@@ -2,9 +2,9 @@
 
 namespace hooke {
 
-Pointer MouseInput::pointer() const { return {cursor_ - glm::dvec2(layout_.scene.x, layout_.scene.y), modifiers_}; }
+Pointer MouseInput::pointer() const { return {cursor_ - glm::dvec2(context_.layout.scene.x, context_.layout.scene.y), modifiers_}; }
 
-bool MouseInput::is_over_scene() const { return is_in_window_ && !panels_cover(panels_, layout_, cursor_.x, cursor_.y); }
+bool MouseInput::is_over_scene() const { return is_in_window_ && !panels_cover(panels_, context_.layout, cursor_.x, cursor_.y); }
 
 std::optional<glm::dvec2> MouseInput::place_in_scene() const { return is_over_scene() ? std::optional(pointer().at) : std::nullopt; }
 
@@ -42,7 +42,7 @@ void MouseInput::handle(const CursorMove& move) {
 }
 
 void MouseInput::handle(const Scroll& scroll) {
-  if (!panels_cover(panels_, layout_, scroll.at.x, scroll.at.y)) camera_.zoom(scroll.steps, pointer().at);
+  if (!panels_cover(panels_, context_.layout, scroll.at.x, scroll.at.y)) camera_.zoom(scroll.steps, pointer().at);
 }
 
 }  // namespace hooke

@@ -11,8 +11,8 @@ namespace hooke {
 
 class MouseInput {
  public:
-  MouseInput(ToolContext& context, const Panels& panels, const Layout& layout, ActiveTool& tool, CameraControl& camera, Placer& placer)
-      : context_(context), panels_(panels), layout_(layout), tool_(tool), camera_(camera), placer_(placer) {}
+  MouseInput(ToolContext& context, const Panels& panels, ActiveTool& tool, CameraControl& camera, Placer& placer)
+      : context_(context), panels_(panels), tool_(tool), camera_(camera), placer_(placer) {}
 
   void handle(const ButtonPress& press);
   void handle(const ButtonRelease& release);
@@ -31,7 +31,6 @@ class MouseInput {
 
   ToolContext& context_;
   const Panels& panels_;
-  const Layout& layout_;
   ActiveTool& tool_;
   CameraControl& camera_;
   Placer& placer_;

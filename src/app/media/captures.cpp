@@ -13,9 +13,9 @@ void Captures::report_picture(const std::filesystem::path& file, const std::stri
     panels_.show_message("Cannot write the picture", error);
 }
 
-void Captures::start_film(const std::filesystem::path& file) {
+void Captures::start_film(const std::filesystem::path& file, bool with_panels) {
   if (film_recorder_.is_filming() || film_recorder_.is_writing()) return panels_.show_toast("The previous film is still being written");
-  film_recorder_.start_film(file);
+  film_recorder_.start_film(file, with_panels);
 }
 
 void Captures::start_or_stop_film() {

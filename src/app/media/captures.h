@@ -26,7 +26,7 @@ class Captures {
   void report_picture(const std::filesystem::path& file, const std::string& error);
 
   // A file of a film format (draw/film/film_encoder.h).
-  void start_film(const std::filesystem::path& file);
+  void start_film(const std::filesystem::path& file, bool with_panels = false);
   void start_or_stop_film();
   void start_or_stop_recording();
   // Once per frame: reports what has been written, and errors.

@@ -46,7 +46,7 @@ void Exporter::start() {
   if (kind.source == ExportSource::Scene) return export_state();
   state.is_shown = false;
   if (kind.source == ExportSource::Picture) return captures_.take_picture(file_, state.picture);
-  captures_.start_film(file_);
+  captures_.start_film(file_, state.picture.panels);
   context_.lab.submit(SetRunning{true});
 }
 

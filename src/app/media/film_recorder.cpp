@@ -34,7 +34,7 @@ Picture cut(const Picture& whole, const Viewport& place) {
 void FilmRecorder::take(const View& view, const Viewport& place, double now) {
   const bool is_due = film_ && !is_ending_ && static_cast<long>((now - started_) * video_frame_rate) >= pictures_;
   if (!film_wanted_ && !is_due) return;
-  Picture picture = cut(view.read(), place);
+  Picture picture = has_panels_ ? view.read() : cut(view.read(), place);
   if (picture.pixels.empty()) return;
   try {
     if (const auto file = std::exchange(film_wanted_, std::nullopt)) {

@@ -1,4 +1,4 @@
-// Films of the scene as shown in the window, without the panels.
+// Films of the scene as shown in the window, or of the whole window.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,10 @@ namespace hooke {
 class FilmRecorder {
  public:
   // Starts with the next frame; ends with end_film or when the size of the view changes.
-  void start_film(std::filesystem::path file) { film_wanted_ = std::move(file); }
+  void start_film(std::filesystem::path file, bool with_panels) {
+    film_wanted_ = std::move(file);
+    has_panels_ = with_panels;
+  }
   void end_film();
   bool is_filming() const { return film_wanted_ || (film_ && !is_ending_); }
   // A film that has ended is still being written.
@@ -33,7 +36,7 @@ class FilmRecorder {
 
   std::optional<std::filesystem::path> film_wanted_;
   std::optional<FilmWriter> film_;
-  bool is_ending_ = false;
+  bool is_ending_ = false, has_panels_ = false;
   int width_ = 0, height_ = 0;
   double started_ = 0.0;  // [s]
   long pictures_ = 0;

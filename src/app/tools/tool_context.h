@@ -11,6 +11,7 @@
 #include "lab/lab_thread.h"
 #include "scene/pick.h"
 #include "ui/keys.h"
+#include "ui/layout.h"
 
 namespace hooke {
 
@@ -26,6 +27,7 @@ struct ToolContext {
   Camera camera;
   Selection selection{};
   Gesture last_gesture = 0;
+  Layout layout{};       // of the window
   glm::dvec2 size{1.0};  // [px], size of the scene's view
   double scale = 1.0;    // pixels per unit of design
   bool shows_surface = true;

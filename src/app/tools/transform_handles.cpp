@@ -74,7 +74,8 @@ void TransformHandles::follow(const Pointer& pointer, ToolContext& context) {
     text_ = "scaled to " + number_text(std::round(1000.0 * affine.scale) / 10.0) + " %, rest lengths too; Esc undoes";
   }
   has_moved_ = true;
-  for (Command& command : moved(*start_, points_, affine)) context.lab.submit(std::move(command), gesture_);
+  const std::string name = (turns_ ? "turn " : "scale ") + count(std::ssize(points_), "point");
+  for (Command& command : moved(*start_, points_, affine)) context.lab.submit(std::move(command), gesture_, name);
 }
 
 void TransformHandles::revert(ToolContext& context) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/edit/clipboard.h"
 #include "app/tools/tools.h"
@@ -13,8 +15,13 @@ namespace hooke {
 
 class CameraControl {
  public:
-  CameraControl(ToolContext& context, Panels& panels, Clipboard& clipboard) : context_(context), panels_(panels), clipboard_(clipboard) {}
+  CameraControl(ToolContext& context, Panels& panels, Clipboard& clipboard, std::shared_ptr<const Scene> first)
+      : context_(context), panels_(panels), clipboard_(clipboard), first_(std::move(first)) {}
 
+  // To be called when the size of the view is known; shows the first scene.
+  void show_first() {
+    if (const auto scene = std::exchange(first_, nullptr)) show(*scene);
+  }
   // The camera of the scene, or one that frames it.
   void show(const Scene& scene);
   void frame_all();
@@ -49,6 +56,7 @@ class CameraControl {
   ToolContext& context_;
   Panels& panels_;
   Clipboard& clipboard_;
+  std::shared_ptr<const Scene> first_;
   struct Flight {
     Camera from, to;
     std::chrono::steady_clock::time_point start;

@@ -29,17 +29,15 @@ class InputQueue {
   // Applies the input of one frame, oldest first.
   void apply_frame() {
     // of the editing keys; other keys act through the characters that they type
-    std::vector<int> pressed, released;
+    std::vector<int> released;
     bool edited = false;
-    const auto contains = [](const std::vector<int>& keys, int key) { return std::ranges::find(keys, key) != keys.end(); };
     while (!waiting_.empty()) {
       const QueuedInput& next = waiting_.front();
-      const bool is_edit = next.kind == QueuedInput::Kind::Edit, is_release = next.kind == QueuedInput::Kind::Release;
-      if ((is_edit && contains(released, next.key)) || (is_release && contains(pressed, next.key))) return;
-      // a text field handles characters first, and then a single editing key
-      if (edited && (is_edit || next.kind == QueuedInput::Kind::Text)) return;
-      if (is_edit) pressed.push_back(next.key);
-      if (is_release) released.push_back(next.key);
+      const bool is_edit = next.kind == QueuedInput::Kind::Edit;
+      // a text field handles characters first, and then a single editing key, with the modifiers of the end of the frame
+      if (edited && next.kind != QueuedInput::Kind::Other) return;
+      if (is_edit && std::ranges::find(released, next.key) != released.end()) return;
+      if (next.kind == QueuedInput::Kind::Release) released.push_back(next.key);
       edited = edited || is_edit;
       const std::function<void()> apply = next.apply;
       waiting_.pop_front();

@@ -17,6 +17,7 @@ static_assert(static_cast<int>(Key::Delete) == GLFW_KEY_DELETE && static_cast<in
 static_assert(static_cast<int>(Key::Right) == GLFW_KEY_RIGHT && static_cast<int>(Key::Left) == GLFW_KEY_LEFT);
 static_assert(static_cast<int>(Key::Down) == GLFW_KEY_DOWN && static_cast<int>(Key::Up) == GLFW_KEY_UP);
 static_assert(static_cast<int>(Key::F1) == GLFW_KEY_F1 && static_cast<int>(Key::F12) == GLFW_KEY_F12);
+static_assert(static_cast<int>(Key::Alt) == GLFW_KEY_LEFT_ALT);
 static_assert(static_cast<int>(Key::Tab) == GLFW_KEY_TAB && static_cast<int>(Key::Backspace) == GLFW_KEY_BACKSPACE);
 
 // A key by the character that it types in the layout of the user, if that is ASCII; otherwise by its position.
@@ -32,6 +33,8 @@ Key key_of(int key, int scancode) {
 Modifiers modifiers_of(int mods) {
   return {.control = (mods & GLFW_MOD_CONTROL) != 0, .shift = (mods & GLFW_MOD_SHIFT) != 0, .alt = (mods & GLFW_MOD_ALT) != 0};
 }
+
+bool is_alt(int key) { return key == GLFW_KEY_LEFT_ALT || key == GLFW_KEY_RIGHT_ALT; }
 
 bool is_down(GLFWwindow* window, int left, int right) {
   return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
@@ -101,9 +104,12 @@ struct Window::Callbacks {
 
   static void key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     Window& self = of(window);
-    self.inputs_.add({kind_of(key, action, mods), key, [&self, key, scancode, action, mods] {
+    const bool alt = self.is_alt_alone(key, action);
+    self.inputs_.add({kind_of(key, action, mods), key, [&self, key, scancode, action, mods, alt] {
                         self.gui_->key(key, scancode, action, mods);
-                        if (action != GLFW_RELEASE) self.press_key({key_of(key, scancode), modifiers_of(mods), action == GLFW_REPEAT});
+                        if (alt) self.press_key({Key::Alt, {}});
+                        if (action != GLFW_RELEASE && !is_alt(key))
+                          self.press_key({key_of(key, scancode), modifiers_of(mods), action == GLFW_REPEAT});
                       }});
   }
   static void character(GLFWwindow* window, unsigned code) {
@@ -113,6 +119,7 @@ struct Window::Callbacks {
 
   static void button(GLFWwindow* window, int button, int action, int mods) {
     Window& self = of(window);
+    self.alt_is_alone_ = false;
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) return queue(window, [&self, button, action, mods] { self.gui_->button(button, action, mods); });
     const auto which = static_cast<Button>(button);
     const bool pressed = action == GLFW_PRESS, twice = pressed && self.is_second_press(which);
@@ -137,12 +144,16 @@ struct Window::Callbacks {
   }
   static void scroll(GLFWwindow* window, double x, double y) {
     Window& self = of(window);
+    self.alt_is_alone_ = false;
     queue(window, [&self, x, y, at = self.cursor_] {
       self.gui_->scroll(x, y);
       self.events_.push_back(Scroll{y, at});
     });
   }
-  static void focus(GLFWwindow* window, int focused) { of(window).gui_->focus(focused); }
+  static void focus(GLFWwindow* window, int focused) {
+    of(window).alt_is_alone_ = false;  // Alt+Tab
+    of(window).gui_->focus(focused);
+  }
   static void enter(GLFWwindow* window, int entered) {
     of(window).gui_->enter(entered);
     if (!entered) queue(window, [&self = of(window)] { self.events_.push_back(CursorLeave{}); });
@@ -187,6 +198,13 @@ Window::Window(const std::string& title, const glm::ivec2& size) : window_(open_
   glfwSetCursorEnterCallback(window_, Callbacks::enter);
   glfwSetDropCallback(window_, Callbacks::drop);
   glfwSetWindowCloseCallback(window_, Callbacks::close);
+}
+
+// Whether this ends a press of Alt during which nothing else was pressed.
+bool Window::is_alt_alone(int key, int action) {
+  if (action == GLFW_RELEASE) return key == GLFW_KEY_LEFT_ALT && std::exchange(alt_is_alone_, false);
+  if (action == GLFW_PRESS) alt_is_alone_ = key == GLFW_KEY_LEFT_ALT;
+  return false;
 }
 
 // Whether this press makes a double click.

@@ -54,6 +54,7 @@ class Window {
     glm::dvec2 at{0.0};
   };
   bool is_second_press(Button button);
+  bool is_alt_alone(int key, int action);
   void press_key(const KeyPress& press);
   GLFWwindow* window_ = nullptr;
   std::unique_ptr<ImGuiBackend> gui_;
@@ -61,6 +62,7 @@ class Window {
   std::vector<Event> events_;
   glm::dvec2 cursor_{0.0};
   Press last_press_;
+  bool alt_is_alone_ = false;  // pressed, and nothing else since
   std::string title_;
 };
 

@@ -118,6 +118,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     repetition_.begin(plan, system, settings, before, after, motion.counts.force_evaluations,
                       (touches_ || collapses_) && repetitions_++ % order_period == 0);
     frames_since_repetition_ = 0;
+    is_urgent_ = is_impact || is_edited_;
     is_edited_ = false;
   }
   if (mode_ != AccuracyMode::Full) return;

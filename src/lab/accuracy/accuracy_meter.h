@@ -42,6 +42,8 @@ class AccuracyMeter {
   // Whether a frame is being repeated; then `repeat` computes a substep of it.
   bool is_repeating() const { return mode_ != AccuracyMode::Off && repetition_.is_in_progress(); }
   void repeat(const System& system);
+  // Whether that frame is one in which something began to touch, or the first after an edit: what was known before says nothing of it.
+  bool is_urgent() const { return is_urgent_; }
   // The same for the second runs, which may be late.
   bool has_work() const { return mode_ == AccuracyMode::Full && second_runs_.has_work(); }
   void work(const System& system) { second_runs_.substep(system); }
@@ -59,6 +61,7 @@ class AccuracyMeter {
   RunEvents past_;
   bool is_started_ = false;
   bool is_edited_ = false, was_touching_ = false;  // since the last repeated frame; in the last frame
+  bool is_urgent_ = false;                         // of the frame that is repeated
   double size_ = 1.0;                              // [m]
   int order_ = 1;                                  // of the method on this scene
   // Whether something may touch there, or a strain limit act: then the order is measured, or unknown for a method that adapts its step.

@@ -229,6 +229,7 @@ class SettingSearch {
       if (keep(settings[i], trial, is_present)) return;
       // with more substeps, what would do but for the energy that it gains may do
       if (trial.end != Trial::End::OutOfBudget || (trial.gains && trial.seconds >= 2.0 * diverged_after_)) continue;
+      if (is_present && trial.seconds > 0.0) remedy_.untested = {settings[i], trial.seconds, 1e-9 * trial.work / trial.seconds, {}};
       // more substeps would take longer still
       if (allowed < half) return;
       ++remedy_.settings_cut_short;
@@ -242,6 +243,7 @@ class SettingSearch {
       if (one && !remedy_.cheapest) remedy_.cheapest = std::move(one);
     for (auto& one : same_method_)
       if (one && !remedy_.same_method) remedy_.same_method = std::move(one);
+    if (remedy_.same_method) remedy_.untested.reset();
     if (remedy_.same_method && remedy_.cheapest->advice == remedy_.same_method->advice) remedy_.same_method.reset();
   }
 

@@ -38,6 +38,7 @@ struct Remedy {
   Cause cause = Cause::NotReproduced;
   std::optional<TestedSetting> cheapest;     // of any method; none if none was found
   std::optional<TestedSetting> same_method;  // of the present one, if it is another setting
+  std::optional<TestedSetting> untested;     // of the present one: too expensive to be tested as long as the divergence took
   int settings_tried = 0;
   int settings_cut_short = 0;  // of those: by the work limit, before they diverged
   int settings_left = 0;       // not tried, because the work limit was reached

@@ -79,6 +79,8 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
   if (const auto& same = remedy.same_method)
     text += ", or " + describe(same->advice) + " (tested for " + seconds_text(same->seconds) + duration_text(*same) + ")" +
             exceptions(same->warnings);
+  else if (const auto& slow = remedy.untested)
+    text += "; " + describe(slow->advice) + " takes too long to be tested" + duration_text(*slow);
   return text + (remedy.change ? "." : ": " + cause_of(remedy, settings) + ".");
 }
 

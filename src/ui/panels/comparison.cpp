@@ -206,7 +206,9 @@ const Row* fastest(const ProblemRecord& record, const Settings& settings) {
   return least;
 }
 
+// A piece of each line, since markers and colors alone repeat.
 void legend(const ProblemRecord& record) {
+  const float line = units(22.0), space = units(27.0);
   ImGui::PushFont(fonts().small);
   std::size_t number_of_method = 0;
   bool is_first = true;
@@ -216,12 +218,15 @@ void legend(const ProblemRecord& record) {
     const std::string name = method.short_name();
     if (!is_first) {
       ImGui::SameLine(0.0f, units(14.0));
-      if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(name.c_str()).x + units(12.0)) ImGui::NewLine();
+      if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(name.c_str()).x + space) ImGui::NewLine();
     }
     is_first = false;
     const ImVec2 here = ImGui::GetCursorScreenPos();
-    draw_marker(*ImGui::GetWindowDrawList(), {here.x + units(4.0), here.y + 0.5f * ImGui::GetTextLineHeight()}, style);
-    ImGui::SetCursorScreenPos({here.x + units(12.0), here.y});
+    const float middle = here.y + 0.5f * ImGui::GetTextLineHeight();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_segment(list, {here.x, middle}, {here.x + line, middle}, style);
+    draw_marker(list, {here.x + 0.5f * line, middle}, style);
+    ImGui::SetCursorScreenPos({here.x + space, here.y});
     text_in(palette::dim, name);
   }
   ImGui::PopFont();

@@ -59,10 +59,11 @@ void over_time(ExportState& export_state, Panels& panels) {
 }
 
 void picture_rows(ExportState& export_state, const PanelInput& input, Panels& panels) {
-  if (export_kinds()[export_state.kind].source != ExportSource::Picture) return;
+  const ExportSource source = export_kinds()[export_state.kind].source;
+  if (source != ExportSource::Picture && source != ExportSource::Film) return;
   PictureOptions& picture = export_state.picture;
   ImGui::Checkbox("The whole window with its panels", &picture.panels);
-  if (picture.panels) return;
+  if (picture.panels || source == ExportSource::Film) return;
   ImGui::Checkbox("Transparent background", &picture.transparent);
   if (picture.width == 0) {
     const double pixels_per_unit = 1.0 / ImGui::GetIO().FontGlobalScale;

@@ -180,7 +180,7 @@ struct MenuRow {
 constexpr MenuRow menus[] = {{"File", file_menu}, {"Scenes", scenes_menu}, {"Edit", edit_menu},
                              {"Add", add_menu},   {"Run", run_menu},       {"View", view_menu}};
 
-// F10 opens the first menu; Left and Right go to the next one, Enter presses the item that has the focus.
+// F10 or Alt opens the first menu; Left and Right go to the next one, Enter presses the item that has the focus.
 const MenuRow* menu_of_keys(const PanelInput& input, Panels& panels) {
   if (std::exchange(panels.menus.opens_first, false)) return menus;
   if (!panels.menus.is_open) return nullptr;

@@ -66,7 +66,7 @@ void step_remark(const Snapshot& snapshot) {
   else if (fraction > 0.8 && fraction <= 1.0)
     text += ", " + number_text(std::floor(100.0 * fraction)) + " % of the limit";
   else
-    text += " (limit " + number_text(snapshot.omega * limit, 3) + (snapshot.is_limited_by_contact ? " with contact)" : ")");
+    text += (snapshot.is_limited_by_contact ? " (contact limit " : " (limit ") + number_text(snapshot.omega * limit, 3) + ")";
   std::string description = "Highest angular frequency of the scene times the step. Beyond the limit, the simulation can blow up.";
   if (anything && !snapshot.step_limit.empty())
     description += " Of " + snapshot.settings.integrator->short_name() + ": " + snapshot.step_limit + ".";

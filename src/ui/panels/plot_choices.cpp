@@ -28,7 +28,9 @@ void choice(const std::string& name, const PanelInput& input, Requests& requests
     if (!is_same) set.plots.push_back(trace.quantity.name());
   }
   if (!is_watched) set.plots.push_back(name);
-  const std::string text = std::string(quantity->row->description) + (quantity->row->of == QuantityRow::Of::Scene ? "" : ": " + name);
+  const bool is_flat_turn = system.dimensions == 2 && name == "angular_z";
+  const std::string text = (is_flat_turn ? "Angular momentum" : std::string(quantity->row->description)) +
+                           (quantity->row->of == QuantityRow::Of::Scene ? "" : ": " + name);
   if (ImGui::MenuItem(text.c_str(), unit_text(quantity->row->unit).c_str(), is_watched)) requests.emplace_back(Edit{std::move(set)});
 }
 

@@ -30,8 +30,7 @@ std::vector<Figures> figures(const PanelInput& input) {
   const Status& status = input.status;
   char text[160];
   const std::string speed = speed_text(input);
-  const std::string simulate =
-      status.run.simulate_ms() > 0.0 ? "simulate " + quantity_text(1e-3 * status.run.simulate_ms(), "s", 2) + "    " : "";
+  const std::string simulate = status.run.simulate_ms() > 0.0 ? "simulate " + milliseconds_text(status.run.simulate_ms()) + "    " : "";
   std::snprintf(text, sizeof text, "draw %.1f ms    %.0f frames/s    ", input.draw_ms, input.frames_per_second);
   // a picture without a window has none
   const std::string draw = input.frames_per_second > 0.0 ? text : "";

@@ -49,7 +49,7 @@ void build_times(const PanelInput& input, Panels& panels) {
     plot(history, {units(150.0), ImGui::GetTextLineHeight() + units(4.0)});
     ImGui::PopID();
     ImGui::SameLine();
-    ImGui::TextUnformatted(quantity_text(1e-3 * ms, "s", 2).c_str());
+    ImGui::TextUnformatted(milliseconds_text(ms).c_str());
   }
   panel.end_content();
   if (ImGui::Button("Close", {units(96.0), units(30.0)})) panels.times.is_shown = false;
