@@ -22,8 +22,6 @@ class GpuDevice final : public FrameDevice {
   std::string refusal(const Plan& plan, const Integrator& method) const override;
 
   const std::string& renderer() const { return context_.renderer(); }
-  // [bytes] sent to the device so far.
-  std::size_t sent_bytes() const { return single_.sent_bytes() + double_.sent_bytes(); }
 
  private:
   ComputeContext context_;
