@@ -9,7 +9,7 @@ namespace hooke {
 
 std::string needs_processor(const Plan& plan, const Integrator& method) {
   if (&method != &symplectic_euler && &method != &velocity_verlet && &method != &velocity_verlet_explicit)
-    return "the method " + std::string(method.id) + ": symplectic_euler, velocity_verlet and velocity_verlet_explicit run there";
+    return "the method " + std::string(method.id) + " (symplectic_euler, velocity_verlet and velocity_verlet_explicit run there)";
   if (plan.pairs.on) return "contact of points with each other";
   if (plan.surface.on) return "contact of faces and springs";
   if (!plan.one_way.empty()) return "planes that act one way";

@@ -14,7 +14,8 @@ namespace hooke {
 class GpuDevice final : public FrameDevice {
  public:
   // As ComputeContext: throws std::runtime_error where there is no OpenGL 4.3.
-  explicit GpuDevice(const std::function<void(GlFunctions&)>& change = {}) : context_(change) {}
+  explicit GpuDevice(const std::function<void(GlFunctions&)>& change = {}, std::initializer_list<ContextKind> kinds = context_kinds)
+      : context_(change, kinds) {}
   // In single precision if the plan is computed in it. The processor computes frames in which breaks are located or which it refuses, and
   // all of them after a failure of the device.
   bool advance(Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) override;
