@@ -77,16 +77,21 @@ void NetworkRenderer::project(const DrawContext& context) {
   const State& state = context.snapshot.state;
   clip_.resize(state.position.size());
   projected_.resize(state.position.size());
-  for (const GLuint i : drawn_) {
+  const auto project = [&](Index i) {
     clip_[i] = context.projection.moved_nearer(context.projection.clip(state.position[i]), depth_offset());
     projected_[i] = context.projection.project(clip_[i]);
-  }
+  };
+  for (const GLuint i : drawn_) project(static_cast<Index>(i));
 
   selected_.assign(state.position.size(), 0);
   for (const PointId id : context.marks.selected_points) {
     const Index i = context.snapshot.system->index_of(id);
-    if (i != no_index) selected_[i] = 1;
+    if (i == no_index) continue;
+    selected_[i] = 1;
+    project(i);
   }
+  for (const auto& id : {context.marks.hovered_point, context.marks.failed_point})
+    if (const Index i = id ? context.snapshot.system->index_of(*id) : no_index; i != no_index) project(i);
 }
 
 // A shared System never changes, so the same pointer means the same springs.
@@ -123,11 +128,10 @@ void NetworkRenderer::find_supports(const System& system) {
     if (is_outside_cloth(ends_[s][0]) || is_outside_cloth(ends_[s][1])) support_springs_.push_back(s);
 }
 
-// Marks are drawn at any point: with some, all are projected.
+// Marked springs may be drawn at any point.
 void NetworkRenderer::choose_stride(const DrawContext& context) {
   const Marks& marks = context.marks;
-  const bool has_marks = !marks.selected_points.empty() || !marks.selected_springs.empty() || marks.hovered_point || marks.hovered_spring ||
-                         marks.failed_point || marks.failed_spring || marks.crossed;
+  const bool has_marks = !marks.selected_springs.empty() || marks.hovered_spring || marks.failed_spring || marks.crossed;
   const bool is_surface = context.options.surface && !context.options.springs && !context.options.points;
   const bool may = in_cloth_.size() >= min_points_of_coarse && is_surface && !has_marks && spacing_ > 0.0;
   const int stride = may ? static_cast<int>(std::clamp(std::ceil(min_cell / spacing_), 1.0, 64.0)) : 1;
