@@ -1,6 +1,6 @@
 // What all passes share. The program puts before it: #version, real (float or double) and its vectors real3 and real4, SINGLE (1 if real is
-// float), and what the scene has: DASHPOTS, PULL, WIND (1: on faces, 2: on points), COLLIDERS (their number), FLAT, and
-// GRID with ROWS, COLUMNS and STORED_ROWS, where all points are one. The buffers are filled by src/device/packed_scene.cpp.
+// float), and what the scene has: DASHPOTS, PULL, WIND (1: on faces, 2: on points), COLLIDERS (their number), WORKS (whether
+// anything but springs and gravity changes the energy), FLAT, and GRID with ROWS, COLUMNS and STORED_ROWS, where all points are one. The buffers are filled by src/device/packed_scene.cpp.
 layout(local_size_x = 64) in;
 
 layout(location = 0) uniform int points;
@@ -20,7 +20,9 @@ struct Spring {
 
 // v = decay v + weight a, then x += drift v, and the prediction ahead_decay v + ahead_weight a (src/sim/forces/kick.h).
 struct Pass {
-  real decay, weight, drift, ahead_decay, ahead_weight, unused[3];
+  real decay, weight, drift, ahead_decay, ahead_weight;
+  real duration;  // [s], of the kick
+  real unused[2];
 };
 
 // The motion: positions [m] from 0, velocities [m/s] from `points`, predicted velocities from 2 `points` on. w of a position: the inverse mass
@@ -39,6 +41,8 @@ layout(std430, binding = 6) buffer Frame {
   real4 pull;          // weights of the pulled points; w: stiffness [N/m]
   real4 air;           // normal and tangential coefficient of wind [kg/m^3]
   real4 substeps;      // h [s]; the velocity lag of the method under friction [1]; 1: a collider oscillates
+  real4 pull_velocity;  // [m/s], of the hand that pulls
+  real4 held;           // weight of the point that the hand holds [N]; w: its index, -1: none
   Pass passes[3];
 };
 // At the start of each substep and at the end of the last: where the hand pulls to [m], and the velocity of the wind [m/s].
@@ -55,3 +59,11 @@ layout(std430, binding = 11) buffer Radii { real radius[]; };  // [m]
 
 // What happened in each substep: bit 0: contact changed a motion, bit 1: a spring broke.
 layout(std430, binding = 12) buffer Events { uint events[]; };
+
+// Of each point, if WORKS: since the start of the frame, by the causes of src/sim/model/energy_ledger.h [J]; and at the last forces [W].
+struct Work {
+  real4 of_forces;   // the hand, wind, drag, dashpots
+  real4 of_contact;  // contact, at most that of moving colliders, impulses [N s], displacement out of colliders
+  real4 power;       // wind, dashpots
+};
+layout(std430, binding = 17) buffer Works { Work works[]; };

@@ -169,8 +169,8 @@ Corrected slide(int c, real lag, real h, real unknown_speed, real radius, Free p
   return end;
 }
 
-// Of a point that touches only this collider. Returns whether x and v are its end.
-bool solve_resting(int c, real h, real radius, Free path, out real3 x, out real3 v) {
+// Of a point that touches only this collider. Returns whether x and v are its end. `work`: of contact, per mass.
+bool solve_resting(int c, real h, real radius, Free path, out real3 x, out real3 v, out real work) {
   Collider collider = colliders[c];
   if (collider.spin.xyz != real3(0.0) || collider.belt.xyz != real3(0.0) || collider.first.w == 2.0) return false;
   Obstacle o = obstacle(c);
@@ -179,6 +179,7 @@ bool solve_resting(int c, real h, real radius, Free path, out real3 x, out real3
   if (!end.is_solved) return false;
   x = end.x + (offset_at(o, h));
   v = end.v - end.extra + velocity_at(o, h);
+  real3 start = end.start + o.velocity.xyz + o.correction.xyz, with_extra = end.v + velocity_at(o, h) + o.correction.xyz;
   if (!is_moving(o) && o.offset.xyz == real3(0.0)) {
     x = end.x;
     v = end.v - end.extra;
@@ -186,11 +187,12 @@ bool solve_resting(int c, real h, real radius, Free path, out real3 x, out real3
   // not into another collider
   for (int other = 0; other < COLLIDERS && end.moves; ++other)
     if (other != c && !is_clear(other, h, radius, Free(path.x0, path.v0, x, v))) return false;
+  work = 0.5 * (dot(with_extra, with_extra) - dot(start, start)) - dot(path.v1 - path.v0, x - path.x0) / h;
   return true;
 }
 
 // The path of the point: a parabola from `time` on, with the correction of the method's path in v.
-real3 px, pv, pa, correction, free_correction, free_acceleration;
+real3 px, pv, pa, correction, free_correction, free_acceleration, start_x, start_v;  // start_v: without what contacts at rest do without work
 real path_time, base, left, velocity_change, radius_of_point;  // base: of path times, since the start of the substep
 bool is_changed, is_listed;
 real3 velocity;  // that impulses change
@@ -346,6 +348,7 @@ void rest() {
   solve_velocities(2, 0.0, tolerance);
   if (is_listed) {
     pv += velocity - correction;
+    start_v += velocity - correction;
     correction = velocity;
   }
 
@@ -486,11 +489,12 @@ void simulate(real h, Free path) {
   correction = (path.x1 - path.x0) / h - path.v0 - 0.5 * change;
   if (substeps.z != 0.0 && norm(correction) <= 4.0 * epsilon * norm(path.x0) / h) correction = real3(0.0);
   free_correction = correction;
-  pv = path.v0 + correction;
+  pv = start_v = path.v0 + correction;
   velocity_change = norm(change);
   path_time = base = 0.0;
   left = h;
   leave_colliders(0.0);
+  start_x = px;
   is_changed = px != path.x0;
 
   for (int impacts = 0;; ++impacts) {
@@ -516,6 +520,23 @@ void simulate(real h, Free path) {
   leave_colliders(left);
 }
 
+#if WORKS
+// The speed of the surface, at most.
+real surface_speed(int c, real3 x, real h) {
+  Obstacle o = obstacle(c);
+  real3 spin = colliders[c].first.w == 2.0 ? real3(0.0) : colliders[c].spin.xyz;
+  return max(norm(velocity_at(o, 0.0)), norm(velocity_at(o, h))) + norm(o.correction.xyz) + norm(colliders[c].belt.xyz) +
+         norm(spin) * norm(x - o.offset.xyz - colliders[c].first.xyz);
+}
+
+// `work`: of contact, `pushed`: out of colliders, against the force; both per mass.
+void add_works(int i, real work, real pushed, real3 v, Free path) {
+  real speed = 0.0, mass = 1.0 / from[i].w, impulse = mass * norm(v - path.v1);
+  for (int c = 0; c < COLLIDERS; ++c) speed = max(speed, surface_speed(c, path.x0, substeps.x));
+  works[i].of_contact += real4(mass * work, impulse * speed, impulse, mass * pushed);
+}
+#endif
+
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= points || from[i].w == 0.0) return;
@@ -530,16 +551,22 @@ void main() {
     }
   if (count == 0 || !(norm(path.x0) < never && norm(path.v1) < never)) return;
   real3 x, v;
-  if (count != 1 || !solve_resting(only, h, radius_of_point, path, x, v)) {
+  real work, pushed = 0.0;
+  if (count != 1 || !solve_resting(only, h, radius_of_point, path, x, v, work)) {
     simulate(h, path);
     if (!is_changed) return;
     x = px;
     v = pv - correction;
+    work = 0.5 * (dot(pv, pv) - dot(start_v, start_v)) - dot(free_acceleration, px - start_x);
+    pushed = -dot(free_acceleration, start_x - path.x0);
   }
 #if FLAT
   x.z = v.z = 0.0;
 #endif
   to[i].xyz = x;
   to[points + i].xyz = v;
+#if WORKS
+  add_works(i, work, pushed, v, path);
+#endif
   atomicOr(events[substep], 1u);
 }

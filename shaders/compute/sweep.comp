@@ -19,7 +19,15 @@ void main() {
   bool is_slack = spring.only_pulls != 0.0 && !(sqrt(square) > spring.rest_length);
   if (spring.damping == 0.0 || is_slack) return;  // broken, or a cable
 #endif
-  real impulse = sweeps[n].loss / square * dot(along, from[points + i].xyz - from[points + j].xyz);
+  real3 vi = from[points + i].xyz, vj = from[points + j].xyz;
+  real impulse = sweeps[n].loss / square * dot(along, vi - vj);
   from[points + i].xyz -= from[i].w * impulse * along;
   from[points + j].xyz += from[j].w * impulse * along;
+#if WORKS
+  // at the mean speed
+  real inverse_mass = from[i].w + from[j].w;
+  works[i].of_forces.w -= impulse * (dot(along, vi - vj) - 0.5 * inverse_mass * impulse * square);
+  if (i == int(held.w)) works[i].of_forces.x += impulse * dot(along, vi);
+  if (j == int(held.w)) works[j].of_forces.x -= impulse * dot(along, vj);
+#endif
 }

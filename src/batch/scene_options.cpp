@@ -128,16 +128,16 @@ std::string explain_divergence(Lab& lab, const Scene* start, double seconds, con
   lab.publish();
   const std::string& message = lab.status()->diagnosis.message;
   if (start == nullptr) return message;
-  const std::atomic<bool> never = false;
+  const std::atomic<bool> stops = false;
   const auto report = [&](const std::string&) {
     if (progress) progress();
   };
-  Remedy remedy = find_remedy(*start, seconds, never, default_remedy_work, report);
+  Remedy remedy = find_remedy(*start, seconds, stops, default_remedy_work, report);
   if (remedy.cause == Remedy::Cause::SearchLimit && before != nullptr) {
     Scene later = lab.scene();
     const double seconds_to_failure = later.state.time - before->time;
     later.state = *before;
-    Remedy from_later = find_remedy(later, 2.0 * seconds_to_failure + 1.0, never, default_remedy_work, report);
+    Remedy from_later = find_remedy(later, 2.0 * seconds_to_failure + 1.0, stops, default_remedy_work, report);
     from_later.from = before->time;
     if (from_later.cause != Remedy::Cause::NotReproduced) remedy = std::move(from_later);
   }

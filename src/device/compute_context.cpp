@@ -27,9 +27,9 @@ class Library {
   void* library_;
 };
 
-// The contexts of graphics cards: EGL devices that are no software, without a surface. (EGL_EXT_device_enumeration,
-// EGL_EXT_device_query, EGL_EXT_platform_device)
-std::vector<Handle> card_contexts() {
+// The contexts of EGL devices, without a surface: of graphics cards, or of software. (EGL_EXT_device_enumeration, EGL_EXT_device_query,
+// EGL_EXT_platform_device)
+std::vector<Handle> egl_contexts(bool of_software) {
   constexpr int extensions = 0x3055, platform_device = 0x313F, opengl_api = 0x30A2;
   constexpr std::array<int, 5> config_wanted{0x3040, 0x0008, 0x3033, -1, 0x3038};  // renderable: OpenGL; any surface; end
   // where that exists, one that says when it was lost; 4.3; core profile; end
@@ -53,7 +53,8 @@ std::vector<Handle> card_contexts() {
   std::vector<Handle> contexts;
   for (int d = 0; d < count; ++d) {
     const char* text = text_of(devices[d], extensions);
-    if (text != nullptr && std::string_view(text).find("EGL_MESA_device_software") != std::string_view::npos) continue;
+    const bool is_software = text != nullptr && std::string_view(text).find("EGL_MESA_device_software") != std::string_view::npos;
+    if (is_software != of_software) continue;
     void *const display = get_display(platform_device, devices[d], nullptr), *config = nullptr;
     int configs = 0;
     if (display == nullptr || !initialize(display, nullptr, nullptr) || !bind(opengl_api)) continue;
@@ -61,15 +62,17 @@ std::vector<Handle> card_contexts() {
     void* context = create(display, config, nullptr, wanted.data());
     if (context == nullptr) context = create(display, config, nullptr, wanted.data() + 2);
     if (context == nullptr) continue;
-    contexts.push_back({.make_current = [=](bool on) { return make_current(display, nullptr, nullptr, on ? context : nullptr) != 0; },
-                        .find = find,
-                        .destroy = [=] { destroy(display, context); }});
+    // the chosen interface, of which no context is released, is that of the thread
+    contexts.push_back(
+        {.make_current = [=](bool on) { return bind(opengl_api) && make_current(display, nullptr, nullptr, on ? context : nullptr) != 0; },
+         .find = find,
+         .destroy = [=] { destroy(display, context); }});
   }
   return contexts;
 }
 
 // The context of the software renderer, which needs a picture, of one pixel.
-std::vector<Handle> software_contexts() {
+std::vector<Handle> osmesa_contexts() {
   constexpr std::array<int, 9> wanted{0x22, 0x1908, 0x33, 0x34, 0x36, 4, 0x37, 3, 0};  // RGBA; core profile; 4.3; end
   constexpr unsigned bytes = 0x1401;
   const Library mesa("libOSMesa.so.8");
@@ -90,13 +93,14 @@ std::vector<Handle> software_contexts() {
 
 }  // namespace
 
-ComputeContext::ComputeContext(const std::function<void(GlFunctions&)>& change) {
-  for (const auto contexts : {card_contexts, software_contexts}) {
+ComputeContext::ComputeContext(const std::function<void(GlFunctions&)>& change, std::initializer_list<ContextKind> kinds) {
+  for (const ContextKind kind : kinds) {
     if (!renderer_.empty()) break;
-    is_card_ = contexts == card_contexts;
-    for (const Handle& handle : contexts())
+    for (const Handle& handle : kind == ContextKind::OsMesa ? osmesa_contexts() : egl_contexts(kind == ContextKind::SoftwareEgl))
       if (!renderer_.empty() || !take(handle)) handle.destroy();
   }
+  // also of a driver for a card that it does not know
+  is_card_ = renderer_.find("llvmpipe") == std::string::npos && renderer_.find("softpipe") == std::string::npos;
   if (change) change(gl_);
   if (renderer_.empty())
     throw std::runtime_error("no OpenGL 4.3, neither of a graphics card (libEGL.so.1) nor of the software renderer (libOSMesa.so.8)");

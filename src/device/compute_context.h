@@ -5,6 +5,7 @@
 #include <GL/glcorearb.h>
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 
 namespace hooke {
@@ -49,10 +50,15 @@ struct GlFunctions {
 
 inline constexpr const char* lost_context = "the context of OpenGL was lost";
 
+// Of a graphics card by EGL without a surface; of the software renderer by OSMesa, or by EGL.
+enum class ContextKind { Card, OsMesa, SoftwareEgl };
+inline constexpr std::initializer_list<ContextKind> context_kinds{ContextKind::Card, ContextKind::OsMesa, ContextKind::SoftwareEgl};
+
 class ComputeContext {
  public:
-  // Calls `change` on the functions of OpenGL, for tests of failures. Throws std::runtime_error with one line that says what is missing.
-  explicit ComputeContext(const std::function<void(GlFunctions&)>& change = {});
+  // The first of these that this machine has. Calls `change` on the functions of OpenGL, for tests of failures. Throws std::runtime_error
+  // with one line that says what is missing.
+  explicit ComputeContext(const std::function<void(GlFunctions&)>& change = {}, std::initializer_list<ContextKind> kinds = context_kinds);
   ~ComputeContext();
   ComputeContext(const ComputeContext&) = delete;
   ComputeContext& operator=(const ComputeContext&) = delete;

@@ -14,7 +14,8 @@ namespace hooke {
 class GpuDevice final : public FrameDevice {
  public:
   // As ComputeContext: throws std::runtime_error where there is no OpenGL 4.3.
-  explicit GpuDevice(const std::function<void(GlFunctions&)>& change = {}) : context_(change) {}
+  explicit GpuDevice(const std::function<void(GlFunctions&)>& change = {}, std::initializer_list<ContextKind> kinds = context_kinds)
+      : context_(change, kinds) {}
   // In single precision if the plan is computed in it. The processor computes frames in which breaks are located or which it refuses, and
   // all of them after a failure of the device.
   bool advance(Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) override;
@@ -22,8 +23,6 @@ class GpuDevice final : public FrameDevice {
   std::string refusal(const Plan& plan, const Integrator& method) const override;
 
   const std::string& renderer() const { return context_.renderer(); }
-  // [bytes] sent to the device so far.
-  std::size_t sent_bytes() const { return single_.sent_bytes() + double_.sent_bytes(); }
 
  private:
   ComputeContext context_;

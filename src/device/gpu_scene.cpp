@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 
 #include "device/constants.h"
+#include "sim/forces/energy/plan_energy.h"
 #include "sim/forces/spring_limits.h"
 #include "sim/methods/rows.h"
 
@@ -21,6 +23,11 @@ void check_errors(const GlFunctions& gl) {
   if (error != GL_NO_ERROR) throw std::runtime_error("error " + std::to_string(error) + " of OpenGL");
 }
 
+// Whether anything but springs and gravity changes the energy.
+bool has_works(const Plan& plan) {
+  return plan.hand.held || plan.hand.pull || !plan.forces.empty() || plan.has_contact() || plan.drag > 0.0 || plan.has_dashpots();
+}
+
 }  // namespace
 
 // `content`: null where passes write it.
@@ -33,7 +40,6 @@ void GpuScene::fill(GLuint& buffer, std::size_t bytes, const void* content) {
   constexpr std::size_t min_bytes = 32;  // a buffer must not be empty
   gl_->BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes > 0 ? bytes : min_bytes), bytes > 0 ? content : nullptr,
                   GL_DYNAMIC_DRAW);
-  if (content != nullptr) sent_bytes_ += bytes;
 }
 
 // Whether it differs from what the buffer contains, and was sent.
@@ -83,8 +89,11 @@ void GpuScene::upload(const FrameSteps& steps, const Motion& motion) {
   put(Moments, moment_numbers(plan, steps, motion.time));
   put(Colliders, collider_numbers(plan, steps, motion.time));
   fill(buffers_[Events], std::as_bytes(std::span<const Index>(std::vector<Index>(static_cast<std::size_t>(steps.count), 0))));
-  if (accelerations_ != plan.points) fill(buffers_[Accelerations], state_bytes() / 3, nullptr);
-  accelerations_ = plan.points;
+  if (inverse_mass_.size() != plan.inverse_mass.size()) {
+    fill(buffers_[Accelerations], state_bytes() / 3, nullptr);
+    fill(buffers_[Works], std::as_bytes(std::span<const std::byte>(std::vector<std::byte>(state_bytes()))));  // none yet
+    fill(buffers_[Sums], 8 * device_sums * sizeof(double), nullptr);
+  }
   const bool has_masses = inverse_mass_ == plan.inverse_mass;  // not where the hand takes or releases a point
   if (!has_masses)
     for (Resident& each : residents_) each.x.clear();
@@ -130,6 +139,7 @@ std::string GpuScene::definitions() const {
   define("PULL", plan.hand.pull.has_value());
   define("WIND", plan.forces.empty() ? 0 : plan.force_data.panels.empty() ? 2 : 1);
   define("COLLIDERS", static_cast<int>(plan.colliders.size()));
+  define("WORKS", has_works(plan));
   define("FLAT", plan.dimensions == 2);
   return lines;
 }
@@ -221,6 +231,23 @@ void GpuScene::sweep(bool is_forward) {
   }
 }
 
+// The works that the passes have measured since the `start` of the frame. What contact does is booked as by sim/contact/contact.cpp.
+void GpuScene::book_works(const Field& start, Motion& motion) {
+  run("sum.comp", device_sums, state_, state_, {.end = device_sums});
+  std::array<double, 8> sums{};
+  const std::vector<double> numbers = read_numbers(buffers_[Sums], sums.size() * device_sums);
+  for (std::size_t n = 0; n < numbers.size(); ++n) sums[n % sums.size()] += numbers[n];
+  const auto [hand, wind, drag, dashpots, contact, max_by_colliders, impulses, push] = sums;
+  const double max_by_hand = plan_->hand.held ? impulses * glm::length(vector_at(*plan_, motion.v, *plan_->hand.held)) : 0.0;
+  const double max = plan_->hand.held || plan_->collider_paths.any_moves ? max_by_colliders : 0.0;
+  const double by_hand = std::clamp(contact, -max_by_hand, max_by_hand), by_colliders = std::clamp(contact - by_hand, -max, max);
+  using enum EnergyCause;
+  for (const auto& [cause, work] : {std::pair{Hand, hand + by_hand}, std::pair{Potentials, air_work(*plan_, start, motion.x)},
+                                    std::pair{Forces, wind}, std::pair{Colliders, push + by_colliders}, std::pair{Drag, drag},
+                                    std::pair{Dashpots, dashpots}, std::pair{Contact, contact - by_hand - by_colliders}})
+    motion.energy.add(cause, work);
+}
+
 void GpuScene::break_springs(const std::vector<double>& limits, Motion& motion, std::vector<Index>& broken) {
   for (Index s = 0; s < plan_->springs; ++s)
     if (const double length = limits[2 * static_cast<std::size_t>(s) + 1]; length != 0.0) break_spring(*plan_, motion, s, length, broken);
@@ -255,7 +282,9 @@ void GpuScene::advance(const GlFunctions& gl, Plan& plan, const FrameSteps& step
 
   motion.time += steps.count * steps.h;
   motion.counts.force_evaluations += steps.count;
+  const Field start = has_works(plan) ? motion.x : Field();
   read_state(numbers, plan, motion);
+  if (has_works(plan)) book_works(start, motion);
   if (breaks) break_springs(limits, motion, broken);
   resident_->state = state_;
   resident_->x = motion.x;

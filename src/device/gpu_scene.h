@@ -26,7 +26,6 @@ class GpuScene {
   // The steps from the start of the frame, with the context current; for scenes that do not need the processor. Throws
   // std::runtime_error, and has changed nothing then.
   void advance(const GlFunctions& gl, Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken);
-  std::size_t sent_bytes() const { return sent_bytes_; }
 
  private:
   // A motion that stays on the device, whose next frame sends none of it: the run, its repeated frame, or one of its second runs.
@@ -63,6 +62,7 @@ class GpuScene {
   void run_fused(const FrameSteps& steps);
   void run_one_by_one(const FrameSteps& steps);
   void sweep(bool is_forward);
+  void book_works(const Field& start, Motion& motion);
   void break_springs(const std::vector<double>& limits, Motion& motion, std::vector<Index>& broken);
 
   const bool is_single_;
@@ -80,9 +80,7 @@ class GpuScene {
   std::vector<SpringRun> runs_;
   SpringGraph graph_;
   std::vector<double> inverse_mass_;
-  Index accelerations_ = 0;  // points
-  double sweep_ = 0.0;       // [s], duration of the sweeps
-  std::size_t sent_bytes_ = 0;
+  double sweep_ = 0.0;  // [s], duration of the sweeps
 };
 
 }  // namespace hooke

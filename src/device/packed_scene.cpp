@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "base/overloaded.h"
 #include "sim/contact/obstacle.h"
@@ -141,9 +142,12 @@ std::vector<double> frame_numbers(const Plan& plan, const FrameSteps& steps) {
   append(numbers,
          {steps.h, steps.method.is_symplectic() ? steps.method.velocity_lag : 0.0, std::isfinite(plan.collider_paths.resolving_step)});
   const Kick<double> whole = kick_over(plan.drag, steps.h), half = kick_over(plan.drag, 0.5 * steps.h);
-  for (const auto& [kick, drift] : {std::pair{whole, steps.h}, std::pair{half, steps.h}, std::pair{half, 0.0}}) {
+  append(numbers, plan.hand.pull ? plan.hand.pull->velocity : Vec3(0.0));
+  append(numbers, plan.hand.held_mass * plan.gravity, plan.hand.held.value_or(no_index));
+  for (const auto& [kick, drift, duration] :
+       {std::tuple{whole, steps.h, steps.h}, std::tuple{half, steps.h, 0.5 * steps.h}, std::tuple{half, 0.0, 0.5 * steps.h}}) {
     append(numbers, {kick.decay, kick.weight, drift}, half.decay);
-    append(numbers, {half.weight, 0.0, 0.0});
+    append(numbers, {half.weight, duration, 0.0});
   }
   return numbers;
 }

@@ -28,9 +28,11 @@ enum Binding {
   SpringEnds,
   BreakLimits,
   Colliders,
-  Sweeps
+  Sweeps,
+  Works,
+  Sums
 };
-inline constexpr int bindings = Sweeps + 1;
+inline constexpr int bindings = Sums + 1;
 
 // Which items belong to each point, in ascending order: items[first[i]] .. items[first[i + 1] - 1].
 struct PointLists {

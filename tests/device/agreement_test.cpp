@@ -4,30 +4,14 @@
 #include <algorithm>
 #include <memory>
 
-#include "device/gpu_device.h"
 #include "sim/forces/single_precision.h"
 #include "sim/methods/rows.h"
 #include "sim/model/hash.h"
+#include "support/counted_device.h"
 #include "support/run_lab.h"
 
 namespace hooke {
 namespace {
-
-// Counts the frames that a device computed.
-class CountedDevice final : public FrameDevice {
- public:
-  bool advance(Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) override {
-    const bool done = device().advance(plan, steps, motion, broken);
-    frames += done ? 1 : 0;
-    return done;
-  }
-  // One for all tests, which compiles each pass once.
-  static GpuDevice& device() {
-    static GpuDevice device;
-    return device;
-  }
-  int frames = 0;
-};
 
 struct Feature {
   const char* name;
@@ -134,16 +118,24 @@ TEST(GpuDevice, TheSameSceneGivesTheSameBitsTwice) {
 }
 
 TEST(GpuDevice, AMotionThatNothingEditsStaysOnTheDevice) {
-  const auto device = std::make_shared<GpuDevice>();
+  static GlFunctions driver;
+  static std::size_t sent = 0;  // [bytes]
+  const auto device = std::make_shared<GpuDevice>([](GlFunctions& gl) {
+    driver = gl;
+    gl.BufferData = [](GLenum target, GLsizeiptr bytes, const void* data, GLenum use) {
+      sent += data != nullptr ? static_cast<std::size_t>(bytes) : 0;
+      driver.BufferData(target, bytes, data, use);
+    };
+  });
   Lab lab(parse(sheet({"", hung, 30})));
   lab.set_execution({.device = device});
   const auto sent_by = [&](int count) {
-    const std::size_t before = device->sent_bytes();
+    const std::size_t before = sent;
     for (int frame = 0; frame < count; ++frame) {
       EXPECT_TRUE(lab.step());
       lab.measure_accuracy([] { return true; });
     }
-    return device->sent_bytes() - before;
+    return sent - before;
   };
   const std::size_t state = 96 * 30 * 30;  // [bytes]
   // the run and the two beside it, which start anew now and then

@@ -5,27 +5,12 @@
 #include <cstdlib>
 #include <memory>
 
-#include "device/gpu_device.h"
 #include "sim/methods/rows.h"
+#include "support/counted_device.h"
 #include "support/run_lab.h"
 
 namespace hooke {
 namespace {
-
-GpuDevice& device() {
-  static GpuDevice device;
-  return device;
-}
-
-class SharedDevice final : public FrameDevice {
- public:
-  bool advance(Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken) override {
-    const bool done = device().advance(plan, steps, motion, broken);
-    frames += done ? 1 : 0;
-    return done;
-  }
-  int frames = 0;
-};
 
 struct Case {
   const char* name;
@@ -61,7 +46,7 @@ constexpr Case cases[] = {
 
 State run_on(const Scene& scene, bool on_device, int frames) {
   Lab lab(scene, KeepStart::No);
-  const auto shared = std::make_shared<SharedDevice>();
+  const auto shared = std::make_shared<CountedDevice>();
   if (on_device) lab.set_execution({.device = shared});
   run(lab, frames);
   EXPECT_EQ(shared->frames, on_device ? frames : 0);

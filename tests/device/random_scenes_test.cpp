@@ -2,7 +2,9 @@
 // the processor on all others.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
+#include <span>
 
 #include "device/gpu_device.h"
 #include "sim/forces/force_terms.h"
@@ -27,6 +29,9 @@ constexpr RandomPart scene_features[] = {
     {R"("colliders": [{"type": "plane", "point": [0, -0.3, 0], "normal": [0.1, 1, 0], "friction": 0.3}])", true},
     {R"("colliders": [{"type": "sphere", "center": [0.4, -0.5, 0.4], "radius": 0.35, "restitution": 0.4},
                                           {"type": "box", "min": [-1, -2, -1], "max": [2, -0.7, 2], "belt": [0.3, 0, 0], "friction": 0.4}])",
+     true},
+    {R"("colliders": [{"type": "sphere", "center": [0.5, -0.4, 0.5], "radius": 0.3, "oscillate": [0, 0.05, 0.02], "frequency": 2, "spin": [0, 2, 0],
+       "friction": 0.3}])",
      true},
     {R"("colliders": [{"type": "plane", "point": [0, -0.3, 0], "normal": [0, 1, 0], "one_way": true}])", false},
     {R"("strain_limit_percent": 20)", false},
@@ -82,7 +87,8 @@ TEST(GpuDevice, AgreesWithTheProcessorOnRandomScenesOrRefusesThem) {
     bool is_computed = true;
     const std::string text = random_text(random, is_computed);
     Scene scene = parse(text);
-    const Integrator& method = random.one_in(4) ? random.one_of(integrators()) : velocity_verlet;
+    const std::array computed_there{&symplectic_euler, &velocity_verlet, &velocity_verlet_explicit};
+    const Integrator& method = random.one_in(5) ? random.one_of(integrators()) : *random.one_of(std::span(computed_there));
     scene.settings.integrator = &method;
     const bool runs = needs_processor(make_plan(System()), method).find("method") == std::string::npos;
     Lab lab(scene, KeepStart::No), expected(scene, KeepStart::No);
@@ -90,6 +96,13 @@ TEST(GpuDevice, AgreesWithTheProcessorOnRandomScenesOrRefusesThem) {
     const std::string refusal = lab.device_refusal();
     EXPECT_EQ(refusal.empty(), is_computed && runs) << seed << ": " << refusal << "\n" << text;
     (refusal.empty() ? computed : refused)++;
+    if (random.one_in(4))
+      for (Lab* each : {&lab, &expected}) {
+        const auto kind = seed % 2 == 0 ? GrabKind::Hold : GrabKind::Pull;
+        const PointId held{30};
+        const Vec3 place = scene.state.position[scene.system.index_of(held)];
+        each->submit(GrabPoint{{.point = held, .kind = kind, .target = place + Vec3(0.0, 0.1, 0.02)}});
+      }
     double distance = 0.0;
     for (int frame = 0; frame < 8 && expected.step() && lab.step(); ++frame)
       for (Index i = 0; i < scene.system.point_count(); ++i)

@@ -1,5 +1,6 @@
 // The building tools: add a point, attach two points, nail a point, delete.
 #include <glm/geometric.hpp>
+#include <string_view>
 
 #include "app/tools/tools.h"
 #include "scene/new_point.h"
@@ -79,7 +80,7 @@ class NewPoints {
   mutable NewPoint point_;
 };
 
-constexpr const char* snapping = "; Ctrl snaps to the grid";
+constexpr std::string_view snapping = "; Ctrl snaps to the grid";
 
 // A click adds a point. A drag from a point adds the next one and attaches it.
 class AddTool : public Tool {
@@ -98,9 +99,9 @@ class AddTool : public Tool {
   bool cancel(ToolContext&) override { return std::exchange(first_, std::nullopt).has_value(); }
 
   std::string next_step(const ToolContext& context) const override {
-    if (first_) return std::string("release to add a point and attach it") + snapping;
+    if (first_) return std::string("release to add a point and attach it").append(snapping);
     const std::string where = context.system().dimensions == 2 ? "" : ", in the view plane or on the body under the cursor";
-    return "click to add a point" + where + "; drag from a point to attach the next one" + snapping;
+    return "click to add a point" + where + "; drag from a point to attach the next one" + std::string(snapping);
   }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
@@ -149,8 +150,8 @@ class AttachTool : public Tool {
   }
 
   std::string next_step(const ToolContext&) const override {
-    return first_ ? std::string("click the next point, or where to add one; the same point or Esc ends") + snapping
-                  : std::string("click the first point, or where to add one; or drag to the next") + snapping;
+    return first_ ? std::string("click the next point, or where to add one; the same point or Esc ends").append(snapping)
+                  : std::string("click the first point, or where to add one; or drag to the next").append(snapping);
   }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {

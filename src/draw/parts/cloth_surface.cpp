@@ -81,19 +81,21 @@ void ClothSurface::add_vertices(const DrawContext& context, const NetworkRendere
       request_ ? cloth_texture.width * glm::dvec2(1.0, static_cast<double>(request_->height) / request_->width) : glm::dvec2(1.0);
   const auto small = [](double component) { return static_cast<std::int16_t>(std::lround(32767.0 * component)); };
 
-  vertices_.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  vertices_.clear();
+  for (const GLuint i : network_renderer.drawn()) {
     const glm::dvec4& clip = network_renderer.clip()[i];
     const Vec3 view_normal = context.projection.view_direction(normals_[i]);
     const double length = glm::length(view_normal);
     const Vec3 unit = length > 0.0 && std::isfinite(length) ? view_normal / length : Vec3(0.0, 0.0, 1.0);
     glm::dvec2 place = request_ ? cloth_coordinates_of(cloth_texture, points[i].id) / size : glm::dvec2(0.0);
     if (!std::isfinite(place.x + place.y)) place = glm::dvec2(0.0);
-    vertices_[i] = {{static_cast<float>(clip.x), static_cast<float>(clip.y), static_cast<float>(clip.z), static_cast<float>(clip.w)},
-                    {small(unit.x), small(unit.y), small(unit.z), 0},
-                    {static_cast<float>(place.x), static_cast<float>(place.y)},
-                    colors_[i]};
+    vertices_.push_back({{static_cast<float>(clip.x), static_cast<float>(clip.y), static_cast<float>(clip.z), static_cast<float>(clip.w)},
+                         {small(unit.x), small(unit.y), small(unit.z), 0},
+                         {static_cast<float>(place.x), static_cast<float>(place.y)},
+                         colors_[i]});
   }
+  numbered_.clear();
+  for (const GLuint corner : indices_) numbered_.push_back(network_renderer.number_of(corner));
 }
 
 void ClothSurface::extend(PixelExtent& extent, const NetworkRenderer& network_renderer) const {
@@ -121,7 +123,7 @@ void ClothSurface::draw(const Shader& shader) {
   if (request_) upload_picture();
   glUniform1i(shader.uniform("picture"), 0);
   glUniform1i(shader.uniform("is_printed"), request_ ? 1 : 0);
-  stream_.draw_indexed(vertices_.data(), vertices_.size(), indices_);
+  stream_.draw_indexed(vertices_.data(), vertices_.size(), numbered_);
   if (request_) glBindTexture(GL_TEXTURE_2D, 0);
 }
 

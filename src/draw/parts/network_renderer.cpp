@@ -17,6 +17,9 @@ constexpr double mark_radius = 4.0;    // [px of the screen], minimum for a mark
 constexpr double dense = 12.0;         // [px of the screen]: springs shorter than this are drawn thinner
 constexpr double mark_width = 5.0;     // [px of the screen], of a marked spring
 constexpr double ring_distance = 3.0;  // [px of the screen], of the ring around a selected point
+// Smaller scenes are drawn with all of their points.
+constexpr std::size_t min_points_of_coarse = 100'000;
+constexpr double min_cell = 2.0;  // [px], of a sheet that is drawn with some of them
 
 // Table of colors for strains from -1 to 1 of the scale.
 constexpr int strain_steps = 256;
@@ -31,23 +34,64 @@ const StrainColors& fill_strain_colors() {
   return colors;
 }
 
+// Sheets of rows x columns points, row by row, whose cells are two faces each (scene/shapes/cloth.cpp).
+struct FaceGrid {
+  GLuint first, rows, columns;
+
+  template <class Use>
+  void for_each_cell(GLuint stride, const Use& use) const {
+    for (GLuint r = 0; r + 1 < rows; r += stride)
+      for (GLuint c = 0; c + 1 < columns; c += stride) {
+        const GLuint a = first + r * columns + c, right = std::min(stride, columns - 1 - c),
+                     down = std::min(stride, rows - 1 - r) * columns;
+        for (const GLuint corner : {a, a + down, a + right, a + right, a + down, a + right + down}) use(corner);
+      }
+  }
+};
+
+// The sheets that these faces are; none if there are any others.
+std::vector<FaceGrid> face_grids(const std::vector<GLuint>& corners) {
+  std::vector<FaceGrid> grids;
+  for (std::size_t at = 0; at < corners.size();) {
+    FaceGrid grid{corners[at], 2, corners[at + 1] - corners[at]};
+    const auto row_fits = [&] {
+      std::size_t next = at;
+      bool fits = grid.columns >= 2;
+      const FaceGrid row{grid.first + (grid.rows - 2) * grid.columns, 2, grid.columns};
+      if (fits && at + 6 * std::size_t{grid.columns - 1} > corners.size()) return false;
+      if (fits) row.for_each_cell(1, [&](GLuint corner) { fits = fits && corners[next++] == corner; });
+      return fits;
+    };
+    for (; row_fits(); ++grid.rows) at += 6 * std::size_t{grid.columns - 1};
+    if (--grid.rows < 2) return {};
+    grids.push_back(grid);
+  }
+  return grids;
+}
+
 }  // namespace
 
 void NetworkRenderer::project(const DrawContext& context) {
   measure_springs(context);
+  choose_stride(context);
   const State& state = context.snapshot.state;
   clip_.resize(state.position.size());
   projected_.resize(state.position.size());
-  for (std::size_t i = 0; i < state.position.size(); ++i) {
+  const auto project = [&](Index i) {
     clip_[i] = context.projection.moved_nearer(context.projection.clip(state.position[i]), depth_offset());
     projected_[i] = context.projection.project(clip_[i]);
-  }
+  };
+  for (const GLuint i : drawn_) project(static_cast<Index>(i));
 
   selected_.assign(state.position.size(), 0);
   for (const PointId id : context.marks.selected_points) {
     const Index i = context.snapshot.system->index_of(id);
-    if (i != no_index) selected_[i] = 1;
+    if (i == no_index) continue;
+    selected_[i] = 1;
+    project(i);
   }
+  for (const auto& id : {context.marks.hovered_point, context.marks.failed_point})
+    if (const Index i = id ? context.snapshot.system->index_of(*id) : no_index; i != no_index) project(i);
 }
 
 // A shared System never changes, so the same pointer means the same springs.
@@ -57,10 +101,13 @@ void NetworkRenderer::find_ends(const std::shared_ptr<const System>& system) {
   ends_.clear();
   for (const Spring& spring : system->springs()) ends_.push_back({system->index_of(spring.first), system->index_of(spring.second)});
 
+  stride_ = wanted_stride_ = 1;
+  drawn_.resize(system->points().size());
+  std::iota(drawn_.begin(), drawn_.end(), 0);
   corners_.clear();
   corners_.reserve(3 * system->faces.size());
   in_cloth_.assign(system->faces.empty() ? 0 : system->points().size(), 0);
-  if (in_cloth_.empty()) return;
+  if (in_cloth_.empty()) return find_supports(*system);
   for (const Face& face : system->faces)
     for (const PointId id : face.points) {
       corners_.push_back(static_cast<GLuint>(system->index_of(id)));
@@ -69,6 +116,39 @@ void NetworkRenderer::find_ends(const std::shared_ptr<const System>& system) {
   // Points inside a solid are found by the families of their springs.
   for (std::size_t s = 0; s < ends_.size(); ++s)
     if (system->springs()[s].family != SpringFamily::None) in_cloth_[ends_[s][0]] = in_cloth_[ends_[s][1]] = 1;
+  find_supports(*system);
+}
+
+void NetworkRenderer::find_supports(const System& system) {
+  supports_.clear();
+  support_springs_.clear();
+  for (Index i = 0; i < system.point_count(); ++i)
+    if (system.points()[i].nailed || is_outside_cloth(i)) supports_.push_back(static_cast<GLuint>(i));
+  for (std::size_t s = 0; s < ends_.size(); ++s)
+    if (is_outside_cloth(ends_[s][0]) || is_outside_cloth(ends_[s][1])) support_springs_.push_back(s);
+}
+
+// Marked springs may be drawn at any point.
+void NetworkRenderer::choose_stride(const DrawContext& context) {
+  const Marks& marks = context.marks;
+  const bool has_marks = !marks.selected_springs.empty() || marks.hovered_spring || marks.failed_spring || marks.crossed;
+  const bool is_surface = context.options.surface && !context.options.springs && !context.options.points;
+  const bool may = in_cloth_.size() >= min_points_of_coarse && is_surface && !has_marks && spacing_ > 0.0;
+  const int stride = may ? static_cast<int>(std::clamp(std::ceil(min_cell / spacing_), 1.0, 64.0)) : 1;
+  if (std::exchange(wanted_stride_, stride) == stride) return;
+  const std::vector<FaceGrid> grids = stride > 1 ? face_grids(corners_) : std::vector<FaceGrid>();
+  stride_ = grids.empty() ? 1 : stride;
+
+  coarse_corners_.clear();
+  numbers_.assign(in_cloth_.size(), grids.empty() ? 1 : 0);
+  for (const FaceGrid& grid : grids)
+    grid.for_each_cell(static_cast<GLuint>(stride), [&](GLuint corner) { coarse_corners_.push_back(corner); });
+  for (const GLuint corner : coarse_corners_) numbers_[corner] = 1;
+  for (const GLuint i : supports_) numbers_[i] = 1;
+  for (const std::size_t s : support_springs_) numbers_[ends_[s][0]] = numbers_[ends_[s][1]] = 1;
+  drawn_.clear();
+  for (GLuint i = 0; i < numbers_.size(); ++i)
+    if (std::exchange(numbers_[i], static_cast<GLuint>(drawn_.size())) != 0) drawn_.push_back(i);
 }
 
 void NetworkRenderer::measure_springs(const DrawContext& context) {
@@ -78,7 +158,9 @@ void NetworkRenderer::measure_springs(const DrawContext& context) {
   strain_.resize(springs.size());
   double sum = 0.0;
   int counted = 0;
-  for (std::size_t s = 0; s < springs.size(); ++s) {
+  // of a large sheet without strain colors, the mean length of some
+  const bool needs_all = context.options.strain_colors || context.options.springs || position.size() < min_points_of_coarse;
+  for (std::size_t s = 0; s < springs.size(); s += needs_all ? 1 : 61) {
     const double length = glm::distance(position[ends_[s][0]], position[ends_[s][1]]),
                  rest = springs.have_laws() ? context.snapshot.system->rest_length_of(springs[s], context.snapshot.state.time)
                                             : springs[s].rest_length;
@@ -98,9 +180,7 @@ bool NetworkRenderer::is_dense(const ViewOptions& options) const { return spacin
 
 // The order in which springs are drawn. In an open 3-D network, distant springs come first, so that the antialiased edges of near ones
 // blend with the background.
-std::vector<std::size_t> NetworkRenderer::far_to_near(const DrawContext& context) const {
-  std::vector<std::size_t> order(ends_.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
+std::vector<std::size_t> NetworkRenderer::far_to_near(const DrawContext& context, std::vector<std::size_t> order) const {
   if (context.snapshot.system->dimensions == 2 || is_dense(context.options)) return order;
   const auto depth = [&](std::size_t s) {
     const float sum = projected_[ends_[s][0]].depth + projected_[ends_[s][1]].depth;
@@ -120,10 +200,14 @@ void NetworkRenderer::add_springs(const DrawContext& context, Subset subset, Str
   const bool all_on = std::ranges::find(system.switches.families, false) == system.switches.families.end();
   const bool has_curves = system.springs().have_laws() || context.options.coils;
   if (subset == Subset::All) strokes.reserve(strain_.size());
-  for (const std::size_t s : far_to_near(context)) {
+  std::vector<std::size_t> drawn = support_springs_;
+  if (subset == Subset::All) {
+    drawn.resize(ends_.size());
+    std::iota(drawn.begin(), drawn.end(), std::size_t(0));
+  }
+  for (const std::size_t s : far_to_near(context, std::move(drawn))) {
     if (!all_on && !system.is_on(system.springs()[s])) continue;
     const auto [a, b] = ends_[s];
-    if (subset == Subset::OutsideCloth && !is_outside_cloth(a) && !is_outside_cloth(b)) continue;
     Rgba color = plain;
     if (context.options.strain_colors) {
       const float step = 0.5f * strain_steps + strain_[s] * steps;
@@ -178,9 +262,8 @@ PointImpostor NetworkRenderer::impostor_of(const DrawContext& context, Index i) 
 void NetworkRenderer::add_points(const DrawContext& context, Subset subset, PointImpostors& impostors) const {
   if (subset == Subset::All) impostors.reserve(projected_.size());
   constexpr std::uint8_t min_opacity = 16;
-  for (Index i = 0; i < static_cast<Index>(projected_.size()); ++i) {
+  for (const GLuint i : subset == Subset::All ? drawn_ : supports_) {
     if (projected_[i].outside & (Before | Beyond | NotFinite)) continue;
-    if (subset == Subset::OutsideCloth && !context.snapshot.system->points()[i].nailed && !is_outside_cloth(i)) continue;
     const PointImpostor impostor = impostor_of(context, i);
     if (impostor.body.opacity >= min_opacity) impostors.add(context.projection, clip_[i], projected_[i], impostor);
   }

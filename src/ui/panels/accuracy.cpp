@@ -83,7 +83,7 @@ void energy_row(const Term& term, double scale) {
   ImGui::TextUnformatted(quantity_text(term.value, "J", 3).c_str());
 }
 
-void energy_section(const Accuracy& accuracy, const RunStatus& run) {
+void energy_section(const Accuracy& accuracy) {
   heading("Energy balance");
   using enum EnergyCause;
   const EnergyBalance& balance = accuracy.energy;
@@ -102,8 +102,6 @@ void energy_section(const Accuracy& accuracy, const RunStatus& run) {
   explanation(
       "Energy gained and lost since the start. What no force explains is due to the method. A closed balance does not prove that the "
       "motion is right.");
-  if (run.on_device && run.device_refusal.empty())
-    explanation("The GPU measures no works: the change in a frame counts as that of one cause, such as contact.");
 }
 
 // A row of tested settings with a button that takes them.
@@ -172,7 +170,7 @@ void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests)
   if (input.status.accuracy.is_on) {
     error_section(input.status.accuracy);
     predictability_section(input.status.accuracy);
-    energy_section(input.status.accuracy, input.status.run);
+    energy_section(input.status.accuracy);
     cost_section(input, requests);
     heading("Is this real?");
     if (ImGui::Button("Check this result")) requests.emplace_back(Action::CheckResult);

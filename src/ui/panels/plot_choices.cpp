@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/number_text.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

@@ -56,6 +56,20 @@ double max_dissipation(const Spectrum& spectrum, double supplied, double kinetic
   return 2.0 * (spectrum.drag_rate + spectrum.dashpot_rate) * std::max(supplied, 2.0 * kinetic) * duration;
 }
 
+double air_work(const Plan& plan, const Field& start, const Field& end) {
+  const Vec3 acceleration = plan.acceleration - plan.gravity;
+  double work = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    if (acceleration[c] == 0.0) continue;
+    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
+    double moment = 0.0;
+    for (Index i = 0; i < plan.points; ++i)
+      if (plan.inverse_mass[i] != 0.0) moment += plan.mass[i] * (end[begin + i] - start[begin + i]);
+    work += acceleration[c] * moment;
+  }
+  return work;
+}
+
 double verlet_energy_difference(const Plan& plan, double time, const Field& x, const Field& v, double h) {
   // not more than three fields: in a large net, these are what a run needs most memory for
   Field moved = x, force_ahead(x.size()), force_behind(x.size());

@@ -15,6 +15,9 @@ double mechanical_energy(const Plan& plan, double time, const Motion& motion);
 // [W], that the dashpots dissipate.
 double dashpot_power(const Plan& plan, double time, const Field& x, const Field& v);
 
+// [J], of moving air on the way from `start` to `end`: through drag it accelerates all points alike, so that this is exact for any path.
+double air_work(const Plan& plan, const Field& start, const Field& end);
+
 // [J], the term of order h^2 by which the modified energy of velocity Verlet exceeds the energy, at the positions x and velocities v, for
 // forces that depend on positions alone:
 //   h^2 (v.V'' v / 12 - V'.M^-1 V' / 24)     (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, IX.3)

@@ -13,24 +13,6 @@
 namespace hooke {
 namespace {
 
-// The acceleration of every point by moving air, through drag, which is constant.
-Vec3 air_acceleration(const Plan& plan) { return plan.acceleration - plan.gravity; }
-
-// [J], on the way from `start` to `end`: exact for any path.
-double air_work(const Plan& plan, const Field& start, const Field& end) {
-  const Vec3 acceleration = air_acceleration(plan);
-  double work = 0.0;
-  for (int c = 0; c < plan.dimensions; ++c) {
-    if (acceleration[c] == 0.0) continue;
-    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
-    double moment = 0.0;
-    for (Index i = 0; i < plan.points; ++i)
-      if (plan.inverse_mass[i] != 0.0) moment += plan.mass[i] * (end[begin + i] - start[begin + i]);
-    work += acceleration[c] * moment;
-  }
-  return work;
-}
-
 double power_of_forces(const Plan& plan, double time, const Field& x, const Field& v) {
   double power = 0.0;
   for (const Force& force : plan.forces)
@@ -86,7 +68,7 @@ void PowerWork::begin_frame(const Plan& plan, const Motion& motion, double veloc
   has_forces_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
   has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
   has_muscles_ = plan.spring.laws.move;
-  has_air_ = air_acceleration(plan) != Vec3(0.0);
+  has_air_ = plan.acceleration != plan.gravity;
   measures_drag_ = measures_damping && plan.drag > 0.0;
   measures_dashpots_ = measures_damping && plan.has_dashpots();
   sweeps_ = &sweeps;
