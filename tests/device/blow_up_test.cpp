@@ -20,7 +20,7 @@ struct BlowUp {
   std::optional<GrabPoint> grab{};
 };
 
-constexpr const char* hung = R"(, "nail": ["top_left", "top_right"]}])";
+constexpr const char* nailed_at_corners = R"(, "nail": ["top_left", "top_right"]}])";
 
 // Where a run stopped, why, and what was said of it before.
 struct Course {
@@ -55,15 +55,15 @@ Course course_of(const BlowUp& each, const Integrator& method, int substeps, con
 }
 
 const BlowUp blow_ups[] = {
-    {"a hung sheet", hung},
+    {"a hung sheet", nailed_at_corners},
     {"drag", R"(, "nail": ["top_left", "top_right"]}], "drag": 0.8)"},
     {"wind", R"(, "nail": ["top_left", "top_right"]}], "forces": [{"type": "wind", "x": 6, "y": 2}])"},
     {"a plane", R"(}], "colliders": [{"type": "plane", "point": [0, -0.1, 0], "normal": [0, 1, 0], "friction": 0.3}])"},
     {"a ball", R"(}], "colliders": [{"type": "sphere", "center": [0.5, -0.3, 0.5], "radius": 0.25, "restitution": 0.5}])"},
     {"a floor that oscillates",
      R"(}], "colliders": [{"type": "plane", "point": [0, -0.2, 0], "normal": [0, 1, 0], "oscillate": [0, 0.05, 0], "frequency": 3}])"},
-    {"a pull", hung, GrabPoint{{.point = PointId{40}, .target = Vec3(0.52, 0.03, 0.5)}}},
-    {"a hold", hung, GrabPoint{{.point = PointId{40}, .kind = GrabKind::Hold, .target = Vec3(0.52, 0.03, 0.5)}}},
+    {"a pull", nailed_at_corners, GrabPoint{{.point = PointId{40}, .target = Vec3(0.52, 0.03, 0.5)}}},
+    {"a hold", nailed_at_corners, GrabPoint{{.point = PointId{40}, .kind = GrabKind::Hold, .target = Vec3(0.52, 0.03, 0.5)}}},
     {"stiff dashpots", R"(, "damping": 4, "nail": ["top"]}])"},
     {"springs that break", R"(, "nail": ["top"]}], "break_strain": 5)"},
 };

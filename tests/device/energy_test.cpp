@@ -19,8 +19,8 @@ struct WorkCase {
   double tolerance = 0.01;  // of the largest work
 };
 
-constexpr const char* hung = R"(, "nail": ["top_left", "top_right"]}])";
-constexpr WorkCase cases[] = {
+constexpr const char* hung_by_corners = R"(, "nail": ["top_left", "top_right"]}])";
+constexpr WorkCase work_cases[] = {
     {"drag", R"(, "nail": ["top_left", "top_right"]}], "drag": 0.8)"},
     {"moving air and drag", R"(, "nail": ["top_left", "top_right"]}], "drag": 0.5, "wind": [1, 0.5, 0.2])"},
     {"wind", R"(, "nail": ["top_left", "top_right"]}], "forces": [{"type": "wind", "x": 6, "y": 2}])"},
@@ -73,13 +73,13 @@ void expect_works(const WorkCase& each, const std::optional<GrabPoint>& grab = {
 }
 
 TEST(GpuEnergy, WorksByCauseAreThoseOfTheProcessor) {
-  for (const WorkCase& each : cases) expect_works(each);
+  for (const WorkCase& each : work_cases) expect_works(each);
 }
 
 TEST(GpuEnergy, TheHandSuppliesWhatItPullsAndHolds) {
   const GrabPoint pull{{.point = PointId{66}, .target = Vec3(0.55, 0.03, 0.46)}};
   const GrabPoint hold{{.point = PointId{66}, .kind = GrabKind::Hold, .target = Vec3(0.55, 0.03, 0.46)}};
-  for (const char* fields : {hung, R"(, "damping": 0.1, "nail": ["top_left", "top_right"]}])"}) {
+  for (const char* fields : {hung_by_corners, R"(, "damping": 0.1, "nail": ["top_left", "top_right"]}])"}) {
     expect_works({"pull", fields}, pull);
     expect_works({"hold", fields}, hold);
   }
