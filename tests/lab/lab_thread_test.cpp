@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "lab/lab.h"
 #include "scene/parameters.h"
 #include "sim/model/hash.h"
 #include "support/sanitizer_slowdown.h"
