@@ -1,6 +1,5 @@
 #include "lab/loads.h"
 
-
 #include "sim/forces/energy/energy.h"
 #include "sim/forces/forces.h"
 

@@ -42,7 +42,8 @@ TEST(HeadlessDevice, IsRefusedByNameWithCodeTwo) {
   refused(run_with(run_cloth, {"--device", "tpu", "-q"}), "--device");
   refused(headless({"run", "cloth", "--integrator", "dop853", "--seconds", "1", "--device", "gpu", "-q"}),
           "--device gpu: not for the method dop853 (");
-  refused(headless({"run", "newtons_cradle", "--seconds", "1", "--device", "gpu", "-q"}), "--device gpu: not for contact of points with each other");
+  refused(headless({"run", "newtons_cradle", "--seconds", "1", "--device", "gpu", "-q"}),
+          "--device gpu: not for contact of points with each other");
   const Outcome old = run_process({"/usr/bin/env", "MESA_GL_VERSION_OVERRIDE=3.3", HOOKE_HEADLESS, "run", "two_masses", "--integrator",
                                    "symplectic_euler", "--seconds", "1", "--device", "gpu", "-q"});
   if (old.code != 0) refused(old, "no OpenGL 4.3");

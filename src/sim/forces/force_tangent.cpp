@@ -1,6 +1,5 @@
 #include "sim/forces/force_tangent.h"
 
-
 namespace hooke {
 
 void ForceTangent::add_volume(const Plan& plan, std::size_t enclosure, double stiffness, const double* x) {
