@@ -134,12 +134,14 @@ Corrected slide(int c, real lag, real h, real unknown_speed, real radius, Free p
   if (!(load * h > rounding)) return end;
   end.is_solved = true;
 
-  // friction takes the direction of the end; what it stops within the step starts anew from rest, as far as forces then exceed it
+  // friction takes the direction of the end; what it stops within the step starts anew from rest, as far as forces then exceed it. It can
+  // stop no more than its impulse across the force
   real3 drive = across(gap.normal, change);
   real loss = friction * load * h, square = dot(end.start, end.start), bound = loss + rounding;
   if (square == 0.0 && dot(drive, drive) <= bound * bound) return end;
-  real slowing = loss * sqrt(square) - dot(drive, end.start);
-  bool stops = slowing > square && lag == 0.0;
+  real along = dot(drive, end.start), slowing = loss * sqrt(square) - along, drive_square = dot(drive, drive);
+  bool can_stop = square * drive_square - along * along <= loss * loss * drive_square;
+  bool stops = can_stop && slowing > square && lag == 0.0;
   real until = stops ? square / slowing : real(1.0), left = stops ? 1.0 - until : real(1.0);
   real3 driven = stops ? drive : end.start + drive;
   real speed = norm(driven);

@@ -80,7 +80,7 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
     text += ", or " + describe(same->advice) + " (tested for " + seconds_text(same->seconds) + duration_text(*same) + ")" +
             exceptions(same->warnings);
   else if (const auto& slow = remedy.untested)
-    text += "; " + describe(slow->advice) + " takes too long to be tested" + duration_text(*slow);
+    text += " (" + describe(slow->advice) + ", at " + speed_text(*slow) + ", takes too long to be tested)";
   return text + (remedy.change ? "." : ": " + cause_of(remedy, settings) + ".");
 }
 
