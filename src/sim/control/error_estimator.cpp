@@ -100,9 +100,10 @@ double FrameRuns::error(const System& system, const Integrator& method) const {
   const auto distance = [&](const FrameEnd& coarse, const FrameEnd& fine) {
     const bool agree = coarse.is_finite && fine.is_finite && coarse.broken == fine.broken;
     if (!agree) return infinity;
-    const double of_velocities = weighted_distance(system, coarse.velocity, fine.velocity, 1.0).rms;
-    return std::hypot(weighted_distance(system, coarse.position, fine.position, 1.0).rms,
-                      frequency_ > 0.0 ? of_velocities / frequency_ : 0.0);
+    const double of_positions = weighted_distance(system, coarse.position, fine.position, 1.0).rms;
+    if (frequency_ == 0.0) return of_positions;
+    const double of_velocities = weighted_distance(system, coarse.velocity, fine.velocity, 1.0).rms / frequency_;
+    return std::sqrt(of_positions * of_positions + of_velocities * of_velocities);
   };
   const double last = distance(ends_[1], ends_[0]);
   if (count_ < 3 || runs_needed(method) < 3) return last / (std::min(reduction, control::max_assumed_reduction) - 1.0);
