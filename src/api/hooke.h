@@ -157,7 +157,8 @@ class HOOKE_PUBLIC Simulation {
   // Of the last frame: the points that touched something, and x, y, z of the mean force of contact on every point [N]; zero for nails.
   std::vector<std::int64_t> contacts() const;
   std::vector<double> contact_forces() const;
-  // Of each of `contacts`: what it most probably touched, the nearest part of the scene in the direction of the force.
+  // For each point of `contacts`: the part of the scene that it most probably touched, which is the nearest one in the direction of the
+  // force.
   std::vector<Partner> contact_partners() const;
 
   // RMS over the points of the distance from the exact motion since the start [m], and what the last measured frame added; NaN: not known.

@@ -50,7 +50,7 @@ struct GlFunctions {
 
 inline constexpr const char* lost_context = "the context of OpenGL was lost";
 
-// Of a graphics card by EGL without a surface; of the software renderer by OSMesa, or by EGL.
+// Where the context comes from: a graphics card through EGL, without a surface, or the software renderer through OSMesa or EGL.
 enum class ContextKind { Card, OsMesa, SoftwareEgl };
 inline constexpr std::initializer_list<ContextKind> context_kinds{ContextKind::Card, ContextKind::OsMesa, ContextKind::SoftwareEgl};
 

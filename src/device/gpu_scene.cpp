@@ -96,7 +96,7 @@ void GpuScene::upload(const FrameSteps& steps, const Motion& motion) {
   }
   const bool has_masses = inverse_mass_ == plan.inverse_mass;  // not where the hand takes or releases a point
   if (!has_masses)
-    for (Resident& each : residents_) each.x.clear();
+    for (ResidentMotion& each : residents_) each.x.clear();
   inverse_mass_ = plan.inverse_mass;
 
   const double sweep = plan.has_dashpots() && steps.method.splits_dashpots ? 0.5 * steps.h : 0.0;
@@ -107,11 +107,11 @@ void GpuScene::upload(const FrameSteps& steps, const Motion& motion) {
 }
 
 void GpuScene::find_resident(const Motion& motion) {
-  auto found = std::ranges::find_if(residents_, [&](const Resident& each) { return each.x == motion.x && each.v == motion.v; });
+  auto found = std::ranges::find_if(residents_, [&](const ResidentMotion& each) { return each.x == motion.x && each.v == motion.v; });
   const bool is_there = found != residents_.end();
   if (!is_there) --found;
   std::rotate(residents_.begin(), found, found + 1);
-  Resident& resident = residents_.front();
+  ResidentMotion& resident = residents_.front();
   if (!is_there) {
     const std::vector<double> numbers = state_numbers(*plan_, motion);
     is_single_ ? fill(resident.states[0], std::as_bytes(std::span<const float>(rounded(numbers))))
@@ -165,7 +165,7 @@ GLuint GpuScene::program_of(std::string_view pass) {
   throw std::runtime_error("the driver refuses the shader " + std::string(pass) + ": " + line.substr(0, line.find('\n')));
 }
 
-void GpuScene::run(std::string_view pass, Index threads, int from, int to, const Call& call) {
+void GpuScene::run(std::string_view pass, Index threads, int from, int to, const PassUniforms& call) {
   gl_->UseProgram(program_of(pass));
   gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, FromState, resident_->states[static_cast<std::size_t>(from)]);
   gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, ToState, resident_->states[static_cast<std::size_t>(to)]);
@@ -181,7 +181,7 @@ void GpuScene::run(std::string_view pass, Index threads, int from, int to, const
   gl_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void GpuScene::move(const Call& call) {
+void GpuScene::move(const PassUniforms& call) {
   const int count = static_cast<int>(resident_->states.size()), after = (state_ + 1) % count,
             next = after == start_ ? (after + 1) % count : after;
   run("move.comp", plan_->points, state_, next, call);

@@ -20,6 +20,22 @@ struct ComputeSource {
 };
 std::span<const ComputeSource> compute_sources();
 
+// A motion that stays on the device, whose next frame sends none of it: the run, its repeated frame, or one of its second runs.
+struct ResidentMotion {
+  std::array<GLuint, 3> states{};  // in turn: the start of a substep is kept until contact has corrected its end
+  int state = 0;                   // the present one
+  Field x, v;                      // as they were read
+};
+
+// The uniforms of a pass.
+struct PassUniforms {
+  PassKind pass = WholeKick;
+  int moment = 0;
+  bool acts_predicted = false;
+  int substep = 0, reused = -1;
+  Index first = 0, end = 0;  // the range of dashpots
+};
+
 class GpuScene {
  public:
   explicit GpuScene(bool is_single) : is_single_(is_single) {}
@@ -28,21 +44,6 @@ class GpuScene {
   void advance(const GlFunctions& gl, Plan& plan, const FrameSteps& steps, Motion& motion, std::vector<Index>& broken);
 
  private:
-  // A motion that stays on the device, whose next frame sends none of it: the run, its repeated frame, or one of its second runs.
-  struct Resident {
-    std::array<GLuint, 3> states{};  // in turn: the start of a substep is kept until contact has corrected its end
-    int state = 0;                   // the present one
-    Field x, v;                      // as they were read
-  };
-  // The uniforms of a pass.
-  struct Call {
-    PassKind pass = WholeKick;
-    int moment = 0;
-    bool acts_predicted = false;
-    int substep = 0, reused = -1;
-    Index first = 0, end = 0;  // the range of dashpots
-  };
-
   void upload(const FrameSteps& steps, const Motion& motion);
   void find_resident(const Motion& motion);
   void fill(GLuint& buffer, std::size_t bytes, const void* content);
@@ -57,8 +58,8 @@ class GpuScene {
   std::vector<double> read_numbers(GLuint buffer, std::size_t count) const;
   std::string definitions() const;
   GLuint program_of(std::string_view pass);
-  void run(std::string_view pass, Index threads, int from, int to, const Call& call);
-  void move(const Call& call);
+  void run(std::string_view pass, Index threads, int from, int to, const PassUniforms& call);
+  void move(const PassUniforms& call);
   void run_fused(const FrameSteps& steps);
   void run_one_by_one(const FrameSteps& steps);
   void sweep(bool is_forward);
@@ -71,8 +72,8 @@ class GpuScene {
   std::string definitions_;                 // one #define for each feature of the scene
   std::map<std::string, GLuint> programs_;  // by definitions and pass
   std::array<GLuint, bindings> buffers_{};
-  std::array<Resident, 4> residents_;  // the last used first
-  Resident* resident_ = nullptr;
+  std::array<ResidentMotion, 4> residents_;  // the last used first
+  ResidentMotion* resident_ = nullptr;
   int state_ = 0, start_ = 0;  // of its states: the present one, and that at the start of the substep
   SweepLevels sweeps_;         // for methods that sweep over dashpots
   // What the buffers contain, so that only what has changed is sent again, and what it was made for.

@@ -195,8 +195,9 @@ std::string missing_font() {
   static bool cjk_is_reported = false, emoji_are_reported = false;
   std::string text;
   if (!cjk_characters.empty() && cjk_font_file().empty() && !std::exchange(cjk_is_reported, true))
-    text = "Chinese, Japanese and Korean characters are shown as boxes until the package fonts-noto-cjk is installed. ";
-  if (has_emoji && !std::exchange(emoji_are_reported, true)) text += "Emoji and other rare characters are shown as boxes";
+    text = "Chinese, Japanese and Korean characters are shown as boxes until the package fonts-noto-cjk is installed";
+  if (has_emoji && !std::exchange(emoji_are_reported, true))
+    text += std::string(text.empty() ? "" : ". ") + "Emoji and other rare characters are shown as boxes";
   return text;
 }
 

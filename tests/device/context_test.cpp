@@ -25,7 +25,7 @@ TEST(GpuContext, OfEglWithoutASurfaceComputesTheSameBitsAsOsMesa) {
   std::vector<std::uint64_t> hashes;
   for (const ContextKind kind : {ContextKind::OsMesa, ContextKind::SoftwareEgl}) {
     const std::shared_ptr<GpuDevice> device = device_of(kind);
-    if (device == nullptr) GTEST_SKIP() << "Mesa's software renderer is not installed";
+    ASSERT_NE(device, nullptr) << "needs libegl-mesa0 and libosmesa6";
     EXPECT_NE(device->renderer().find(", OpenGL 4."), std::string::npos) << device->renderer();
     Lab lab(weak_sheet(velocity_verlet_explicit), KeepStart::No);
     lab.set_execution({.device = device});
@@ -37,18 +37,12 @@ TEST(GpuContext, OfEglWithoutASurfaceComputesTheSameBitsAsOsMesa) {
 }
 
 TEST(GpuContext, OfSoftwareIsNoCardWhateverMadeIt) {
-  for (const ContextKind kind : {ContextKind::OsMesa, ContextKind::SoftwareEgl}) {
-    try {
-      EXPECT_FALSE(ComputeContext({}, {kind}).is_card());
-    } catch (const std::runtime_error& missing) {
-      EXPECT_EQ(std::string(missing.what()).rfind("no OpenGL 4.3", 0), 0u);
-    }
-  }
+  for (const ContextKind kind : {ContextKind::OsMesa, ContextKind::SoftwareEgl}) EXPECT_FALSE(ComputeContext({}, {kind}).is_card());
 }
 
 TEST(GpuContext, SeveralLiveSideBySide) {
   const std::shared_ptr<GpuDevice> first = device_of(ContextKind::SoftwareEgl), second = device_of(ContextKind::OsMesa);
-  if (first == nullptr || second == nullptr) GTEST_SKIP() << "Mesa's software renderer is not installed";
+  ASSERT_TRUE(first != nullptr && second != nullptr) << "needs libegl-mesa0 and libosmesa6";
   Lab one(weak_sheet(velocity_verlet_explicit), KeepStart::No), other(weak_sheet(velocity_verlet_explicit), KeepStart::No);
   one.set_execution({.device = first});
   other.set_execution({.device = second});

@@ -22,8 +22,8 @@ using KeyHandlers = std::vector<KeyHandler>;
 
 struct Keyboard {
   KeyHandlers handlers;
-  std::vector<PanelKey> for_panels{};  // of the next frame
-  std::optional<LastTuning> tuned{};   // by the newest of the keys that change a value step by step
+  std::vector<PanelKey> for_panels{};  // passed to the panels in the next frame
+  std::optional<LastTuning> tuned{};   // the last change of a value by a key
 };
 
 // The name of the handler that handled the key; empty if none did.

@@ -27,7 +27,7 @@ struct ToolContext {
   Camera camera;
   Selection selection{};
   Gesture last_gesture = 0;
-  Layout layout{};       // of the window
+  Layout layout{};       // areas of the window
   glm::dvec2 size{1.0};  // [px], size of the scene's view
   double scale = 1.0;    // pixels per unit of design
   bool shows_surface = true;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <mutex>
+#include <string>
+#include <tuple>
 
 #include "app/view/arrows.h"
 #include "app/work/followed_result.h"
@@ -13,25 +15,10 @@
 namespace hooke {
 
 struct BackgroundWork {
-  // Name and counts distinguish documents before their first status arrives.
-  struct ForecastKey {
-    long edits;
-    std::string scene;
-    Index points, springs;
-    bool operator==(const ForecastKey&) const = default;
-  };
-  struct AdviceKey {
-    long edits;
-    Settings settings;
-    const System* system;
-    bool operator==(const AdviceKey&) const = default;
-  };
-  struct FailureKey {
-    double time;
-    long edits;
-    const Scene* start;
-    bool operator==(const FailureKey&) const = default;
-  };
+  // Edits, and what distinguishes documents before their first status arrives: the name, and the numbers of points and springs.
+  using ForecastKey = std::tuple<long, std::string, Index, Index>;
+  using AdviceKey = std::tuple<long, Settings, const System*>;  // edits first
+  using FailureKey = std::tuple<double, long, const Scene*>;    // time [s], edits, start
   // What the search for a remedy is testing.
   struct TestText {
     mutable std::mutex mutex;

@@ -46,7 +46,7 @@ Words settings() {
   return words;
 }
 
-// Of a sample; of a run if `over_time`. Names such as x<point> have no completion.
+// The names of the quantities of a sample, or of a run if `over_time`. Names such as x<point> are not completed.
 Words quantities(bool over_time) {
   Words words;
   for (const char* of : {"", "max:", "min:", "mean:"})

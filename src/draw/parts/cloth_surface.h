@@ -32,7 +32,7 @@ class ClothSurface {
   std::vector<Rgba> colors_;                      // per point
   std::vector<float> strain_sum_, strain_count_;  // per point
   std::vector<Vertex> vertices_;
-  std::vector<GLuint> indices_, numbered_;  // of the visible faces: points, and vertices
+  std::vector<GLuint> indices_, numbered_;  // corners of the visible faces, as indices of points and of vertices
   VertexStream stream_;
 
   std::shared_ptr<const Picture> request_, uploaded_;

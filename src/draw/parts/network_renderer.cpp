@@ -19,7 +19,8 @@ constexpr double mark_width = 5.0;     // [px of the screen], of a marked spring
 constexpr double ring_distance = 3.0;  // [px of the screen], of the ring around a selected point
 // Smaller scenes are drawn with all of their points.
 constexpr std::size_t min_points_of_coarse = 100'000;
-constexpr double min_cell = 2.0;  // [px], of a sheet that is drawn with some of them
+constexpr std::size_t sampled_spring = 61;  // one of so many
+constexpr double min_cell = 2.0;            // [px], of a sheet that is drawn with some of them
 
 // Table of colors for strains from -1 to 1 of the scale.
 constexpr int strain_steps = 256;
@@ -158,9 +159,9 @@ void NetworkRenderer::measure_springs(const DrawContext& context) {
   strain_.resize(springs.size());
   double sum = 0.0;
   int counted = 0;
-  // of a large sheet without strain colors, the mean length of some
+  // the spacing of a large sheet is estimated from a sample of its springs
   const bool needs_all = context.options.strain_colors || context.options.springs || position.size() < min_points_of_coarse;
-  for (std::size_t s = 0; s < springs.size(); s += needs_all ? 1 : 61) {
+  for (std::size_t s = 0; s < springs.size(); s += needs_all ? 1 : sampled_spring) {
     const double length = glm::distance(position[ends_[s][0]], position[ends_[s][1]]),
                  rest = springs.have_laws() ? context.snapshot.system->rest_length_of(springs[s], context.snapshot.state.time)
                                             : springs[s].rest_length;

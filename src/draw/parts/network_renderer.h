@@ -76,7 +76,7 @@ class NetworkRenderer {
   // The nails and points outside the cloth, and springs to such points.
   std::vector<GLuint> supports_;
   std::vector<std::size_t> support_springs_;
-  int stride_ = 1, wanted_stride_ = 1;  // of the rows and columns between which a sheet is drawn
+  int stride_ = 1, wanted_stride_ = 1;  // every stride_-th row and column of a sheet is drawn
   std::vector<GLuint> drawn_, numbers_, coarse_corners_;
   double spacing_ = 0.0;       // [px], mean length of a spring at the camera's target; 0 without springs
   double depth_offset_ = 0.0;  // [m]

@@ -44,9 +44,6 @@ void Substep::begin_frame(Plan& plan, const Settings& settings, Motion& motion) 
   failure_ = StepFailure::None;
   broken_.clear();
   broken_.reserve(plan.spring.break_length.size());
-  // what an edit stretched too far breaks at once: it may be shorter again after a substep. A device breaks it after one
-  if (!plan.spring.break_length.empty() && plan.execution.device == nullptr && break_springs(plan, motion, broken_))
-    motion.acceleration_is_current = false;
 
   work_.tolerance = settings.tolerance;
   work_.min_step = min_step_fraction * h_;
@@ -77,6 +74,8 @@ int Substep::advance(Plan& plan, Motion& motion, int done) {
   if (done == 0 && plan.execution.device != nullptr &&
       plan.execution.device->advance(plan, {*method_, h_, count_, locates_breaks_}, motion, broken_))
     return count_;
+  // what an edit stretched too far breaks at once: it may be shorter again after a substep
+  if (done == 0 && left_ == h_) break_long_springs(plan, motion);
   if (const int taken = take_several(plan, motion, done); taken > 0) return taken;
 
   bool is_moved = false;

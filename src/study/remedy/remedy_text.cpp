@@ -23,14 +23,6 @@ std::string duration_text(const TestedSetting& setting) {
   return speed.empty() ? "" : "; about " + speed;
 }
 
-}  // namespace
-
-std::string speed_text(const TestedSetting& setting) {
-  return setting.duration > 1.0 ? number_text(1.0 / setting.duration, 2) + "\u00d7 real time" : "";
-}
-
-namespace {
-
 // By Remedy::Cause: a clause, and what to change where no other setting helps.
 constexpr const char* any_change = "Use softer springs, larger masses or slower motion: ";
 constexpr std::array<std::array<const char*, 2>, 8> causes{{
@@ -68,6 +60,10 @@ std::string without_remedy(const Remedy& remedy, const Settings& settings) {
 }
 
 }  // namespace
+
+std::string speed_text(const TestedSetting& setting) {
+  return setting.duration > 1.0 ? number_text(1.0 / setting.duration, 2) + "\u00d7 real time" : "";
+}
 
 std::string describe(const Remedy& remedy, const Settings& settings) {
   if (remedy.cause == Remedy::Cause::NotReproduced || remedy.cause == Remedy::Cause::SearchLimit) return untested(remedy);
