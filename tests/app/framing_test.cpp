@@ -33,6 +33,7 @@ TEST(ShippedScenes, StayInTheWindowWhileTheyMove) {
   const glm::dvec2 size = view_size(1280.0, 800.0);
   for (const ShippedScene& shipped : shipped_scenes()) {
     Lab lab(load_scene(shipped.file).scene, KeepStart::No);
+    lab.submit(SetAccuracy{AccuracyMode::Off});
     const Scene& scene = lab.scene();
     Camera camera = make_scene_camera(scene.view, scene.system, scene.state, size.x / size.y);
     EXPECT_EQ(fraction_outside(camera, scene.system, scene.state, size), 0.0) << shipped.id << " at the start";

@@ -185,8 +185,8 @@ TEST(Headless, OutputThatDoesNotFitOnStdoutIsCodeFive) {
                                                 {"run", "two_masses", "--seconds", "0.1", "--json", "-"},
                                                 {"run", "two_masses", "--seconds", "0.1", "--csv", "-"},
                                                 {"check", "two_masses"},
-                                                {"check", "--hard", "--cases", "11"},
-                                                {"check", "--hard", "--cases", "11", "--json", "-"},
+                                                {"check", "--hard", "--cases", "5", "--methods", "symplectic_euler"},
+                                                {"check", "--hard", "--cases", "5", "--methods", "symplectic_euler", "--json", "-"},
                                                 {"--limits"},
                                                 {"--version"},
                                                 {"--help"},
@@ -276,7 +276,7 @@ TEST(Headless, ASaveKilledAtAnyMomentLeavesTheOldFileOrTheNewOne) {
   ASSERT_TRUE(run(-1));
   const long whole = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - start).count();
   EXPECT_EQ(seen_new, 1);
-  for (int i = 0; i < 40; ++i) ASSERT_TRUE(run(static_cast<long>(random() % static_cast<unsigned long>(whole * 5 / 4)))) << "kill " << i;
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(run(static_cast<long>(random() % static_cast<unsigned long>(whole * 5 / 4)))) << "kill " << i;
   EXPECT_GT(seen_old, 0);
   close(null);
 
