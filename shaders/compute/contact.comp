@@ -41,22 +41,28 @@ struct Gap {
   real distance;
   real3 normal;
   real curvature;
+  real3 curved;  // 0: an axis along which it is straight
 };
 
 Gap gap_to(int c, real radius, real3 x) {
   Collider collider = colliders[c];
   real3 first = collider.first.xyz, second = collider.second.xyz;
-  if (collider.first.w == 0.0) return Gap(dot(second, x - first) - radius, second, 0.0);
+  if (collider.first.w == 0.0) return Gap(dot(second, x - first) - radius, second, 0.0, real3(1.0));
   if (collider.first.w == 1.0) {
     real3 outward = x - first;
     real len = norm(outward), inflated = collider.second.w + radius;
-    return Gap(len - inflated, len > 0.0 ? outward / len : real3(0.0, 1.0, 0.0), 1.0 / inflated);
+    return Gap(len - inflated, len > 0.0 ? outward / len : real3(0.0, 1.0, 0.0), 1.0 / inflated, real3(1.0));
   }
   real3 outward = x - clamp(x, first, second);
   real len = norm(outward);
-  if (len > 0.0) return Gap(len - radius, outward / len, 0.0);
+  if (len > 0.0) {
+    // round edges on cylinders, and round corners on balls
+    real3 curved = real3(notEqual(outward, real3(0.0)));
+    bool is_round = radius > 0.0 && curved.x + curved.y + curved.z > 1.0;
+    return Gap(len - radius, outward / len, is_round ? 1.0 / radius : real(0.0), curved);
+  }
   // inside: out through the nearest face
-  Gap gap = Gap(-never, real3(0.0), 0.0);
+  Gap gap = Gap(-never, real3(0.0), 0.0, real3(1.0));
   for (int k = 0; k < 3; ++k)
     for (int side = -1; side <= 1; side += 2) {
       real distance = side > 0 ? x[k] - second[k] : first[k] - x[k];
@@ -203,7 +209,7 @@ real3 velocity;  // that impulses change
 struct Touch {
   real time;
   bool is_at_rest, rebounds, is_together;
-  real3 normal, surface, friction;  // friction: impulse per mass [m/s]
+  real3 normal, surface, friction, curved;  // friction: impulse per mass [m/s]
   real curvature, min_velocity, impulse;
 };
 Touch touches[COLLIDERS];
@@ -325,7 +331,7 @@ void leave_corrections() {
     if (!touches[c].is_at_rest) continue;
     Obstacle o = obstacle(c);
     real3 v = pv - correction - velocity_at(o, base), normal = touches[c].normal;
-    if (!(dot(normal, pa - o.acceleration.xyz) + touches[c].curvature * dot(v, v) < 0.0)) continue;
+    if (!(dot(normal, pa - o.acceleration.xyz) + touches[c].curvature * dot(touches[c].curved * v, v) < 0.0)) continue;
     real3 part = velocity - o.correction.xyz;
     velocity -= colliders[c].belt.w > 0.0 ? part : dot(normal, part) * normal;
     note_change();
@@ -360,7 +366,7 @@ void rest() {
     if (!touches[c].is_at_rest) continue;
     Obstacle o = obstacle(c);
     real3 v = pv - correction - velocity_at(o, base), normal = touches[c].normal;
-    real3 bent = normal + 0.5 * left * touches[c].curvature * across(normal, v + 0.5 * left * (pa - o.acceleration.xyz));
+    real3 bent = normal + 0.5 * left * touches[c].curvature * touches[c].curved * across(normal, v + 0.5 * left * (pa - o.acceleration.xyz));
     touches[c].normal = bent / norm(bent);
     touches[c].min_velocity = min(real(0.0), -dot(touches[c].normal, v));
   }
@@ -381,6 +387,7 @@ bool find_resting() {
     touches[c].is_at_rest = any = true;
     touches[c].normal = gap.normal;
     touches[c].curvature = gap.curvature;
+    touches[c].curved = gap.curved;
   }
   return any;
 }
@@ -430,7 +437,7 @@ real rest_speed(int c, real t, Gap gap, real3 v) {
   real e = colliders[c].spin.w;
   if (e == 0.0) return never;
   real3 along = across(gap.normal, v);
-  real pressing = max(real(0.0), -dot(gap.normal, free_acceleration - obstacle(c).acceleration.xyz) - gap.curvature * dot(along, along));
+  real pressing = max(real(0.0), -dot(gap.normal, free_acceleration - obstacle(c).acceleration.xyz) - gap.curvature * dot(gap.curved * along, along));
   return max(quiet_speed(c, t), 0.5 * (left - t) * pressing * (1.0 - e) / e);
 }
 

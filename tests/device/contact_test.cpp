@@ -32,6 +32,8 @@ constexpr Case cases[] = {
     {"sphere with friction", R"([{"type": "sphere", "center": [0.3, 0, 0.3], "radius": 0.25, "friction": 0.5}])"},
     {"sphere that bounces", R"([{"type": "sphere", "center": [0.3, 0, 0.3], "radius": 0.25, "restitution": 0.5}])"},
     {"box", R"([{"type": "box", "min": [0.1, -1, 0.1], "max": [0.5, 0.1, 0.5], "friction": 0.4, "restitution": 0.3}])"},
+    {"box whose edge a point with a radius goes round",
+     R"([{"type": "box", "min": [-1, -1, -1], "max": [0.35, 0.25, 0.6], "friction": 0.1}])"},
     {"corner of two planes and a ball",
      R"([{"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "friction": 0.2}, {"type": "plane", "point": [0, 0, 0], "normal": [1, 0, 0],
        "restitution": 0.5}, {"type": "sphere", "center": [0.4, 0, 0.3], "radius": 0.2, "friction": 0.3}])"},

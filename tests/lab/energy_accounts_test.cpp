@@ -65,6 +65,31 @@ TEST(EnergyAccounts, WhatOnlyTakesEnergyReturnsWhatAnotherTook) {
   EXPECT_EQ(ledger.sum(), 1.0);
 }
 
+// A dashpot between a point that the hand moves at a constant speed and a free one: of the work of the hand, it takes what does not move
+// the free one.
+TEST(EnergyAccounts, ADashpotToTheHandTakesWhatItDissipates) {
+  constexpr double mass = 0.5, damping = 2.0, speed = 0.8, frame = 1.0 / 60.0;
+  constexpr int frames = 15;
+  for (const char* method : {"velocity_verlet", "velocity_verlet_explicit", "blanes_moan4"}) {
+    TestSim sim;
+    sim.system.gravity = Vec3(0.0);
+    const PointId held = sim.add({0.0, 0.0, 0.0});
+    sim.join(held, sim.add({1.0, 0.0, 0.0}, mass), 0.0, 1.0, damping);
+    Scene scene = scene_of(sim, {});
+    scene.settings.integrator = find_integrator(method);
+    scene.settings.substeps = 40;
+    Lab lab = measured_lab(scene, AccuracyMode::Frame);
+    for (int i = 1; i <= frames; ++i) {
+      const Vec3 target(-speed * frame * i, 0.0, 0.0);
+      if (i == 1) lab.submit(GrabPoint{{.point = held, .kind = GrabKind::Hold, .target = target}});
+      lab.submit(MoveHand{target});
+      ASSERT_TRUE(lab.step());
+    }
+    const double taken = 0.5 * mass * speed * speed * (1.0 - std::exp(-2.0 * damping * frames * frame / mass));
+    EXPECT_NEAR(lab.accuracy().energy.ledger[EnergyCause::Dashpots], -taken, 1e-4 * taken) << method;
+  }
+}
+
 // Two points that separate at 1 m/s: 1 W, and 10 W after the edit.
 TEST(EnergyAccounts, AnEditOfADashpotAppliesFromTheNextFrameOn) {
   TestSim sim;

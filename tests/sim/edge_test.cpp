@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "support/convergence.h"
 #include "support/test_sim.h"
@@ -67,6 +68,29 @@ TEST(Edges, FrictionEndsWithTheFace) {
     EXPECT_NEAR(sim.state.velocity[0].x, left, 2.0 * mu * g * frame);
     EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, 2.0 * g * fall * frame);
   }
+}
+
+// On a cylinder, as on a ball of the same radius: to second order, and whatever the velocity along the edge.
+TEST(Edges, APointWithARadiusGoesRoundThem) {
+  constexpr double radius = 0.2, angle = 0.1, speed = 0.3, along_edge = 0.4;
+  constexpr int frames = 12;
+  const Vec3 start = radius * Vec3(std::sin(angle), std::cos(angle), 0.0), around = speed * Vec3(std::cos(angle), -std::sin(angle), 0.0);
+  const Integrator& method = *find_integrator("velocity_verlet");
+  TestSim ball;
+  ball.system.colliders = {{.shape = Sphere{.radius = radius}}};
+  ball.add(start, 0.7, around);
+  run_frames(ball, method, frames, 1000);
+  EXPECT_NEAR(glm::length(ball.state.position[0]), radius, 1e-12);  // it is still there
+
+  const auto on_edge = [&](double z_velocity, int substeps) {
+    TestSim sim = on_block(0.0, radius, 0.0);
+    sim.state.position[0] = start;
+    sim.state.velocity[0] = around + Vec3(0.0, 0.0, z_velocity);
+    run_frames(sim, method, frames, substeps);
+    return sim.state.position[0];
+  };
+  expect_order([&](int n) { return glm::distance(on_edge(0.0, n), ball.state.position[0]); }, 10, 2.0);
+  EXPECT_LT(glm::distance(on_edge(along_edge, 10), on_edge(0.0, 10) + Vec3(0.0, 0.0, along_edge * frames * frame)), 1e-12);
 }
 
 }  // namespace

@@ -21,7 +21,12 @@ Gap gap_to(const Sphere& sphere, double radius, const Vec3& x) {
 Gap gap_to(const Box& box, double radius, const Vec3& x) {
   const Vec3 out = x - glm::clamp(x, box.min, box.max);
   const double length = glm::length(out);
-  if (length > 0.0) return {.distance = length - radius, .normal = out / length};
+  if (length > 0.0) {
+    // a point with a radius goes round edges on cylinders, and round corners on balls
+    const Vec3 curved(out.x != 0.0, out.y != 0.0, out.z != 0.0);
+    const bool is_round = radius > 0.0 && curved.x + curved.y + curved.z > 1.0;
+    return {.distance = length - radius, .normal = out / length, .curvature = is_round ? 1.0 / radius : 0.0, .curved = curved};
+  }
 
   // inside: out through the nearest face
   Gap gap{.distance = -std::numeric_limits<double>::infinity()};

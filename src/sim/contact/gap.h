@@ -13,7 +13,8 @@ namespace hooke {
 struct Gap {
   double distance = 0.0;       // [m], negative inside
   Vec3 normal{0.0, 1.0, 0.0};  // outward, where the collider is nearest
-  double curvature = 0.0;      // [1/m], of the ball on which the center of the point slides
+  double curvature = 0.0;      // [1/m], of the ball on which the center of the point slides, or of the edge of a box
+  Vec3 curved{1.0};            // 0: an axis along which it is straight
 };
 
 // A path under constant acceleration: x + v t + a t^2 / 2.

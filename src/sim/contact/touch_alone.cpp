@@ -43,7 +43,7 @@ void TouchSimulation::leave_corrections() {
     const Touch& touch = touches[k];
     const PointPath &path = paths[touch.first], &obstacle = paths[touch.second];
     const Vec3 v = path.v - path.velocity_correction - obstacle.v + obstacle.velocity_correction;
-    if (!(glm::dot(touch.law.normal, path.a - obstacle.a) + touch.curvature * glm::dot(v, v) < 0.0)) continue;
+    if (!(glm::dot(touch.law.normal, path.a - obstacle.a) + touch.curvature * glm::dot(touch.curved * v, v) < 0.0)) continue;
     const Vec3 correction = velocity_[touch.first] - velocity_[touch.second];
     velocity_[touch.first] -= touch.law.friction > 0.0 ? correction : glm::dot(touch.law.normal, correction) * touch.law.normal;
     change(touch.first);

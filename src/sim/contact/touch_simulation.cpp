@@ -54,7 +54,7 @@ double TouchSimulation::rest_speed(const Touch& touch, const Gap& gap, const Par
   double change = velocity_change(touch);
   if (is_alone()) {
     const Vec3 along = tangential(gap.normal, path.v), a = paths[touch.first].free_acceleration - paths[touch.second].a;
-    change = (h_ - time_) * std::max(0.0, -glm::dot(gap.normal, a) - gap.curvature * glm::dot(along, along));
+    change = (h_ - time_) * std::max(0.0, -glm::dot(gap.normal, a) - gap.curvature * glm::dot(gap.curved * along, along));
   }
   return std::max(quiet_speed(touch), 0.5 * change * (1.0 - e) / e);
 }
@@ -151,6 +151,7 @@ void TouchSimulation::find_resting() {
     touch.law.normal = gap.normal;
     touch.gap = is_alone() ? 0.0 : gap.distance;
     touch.curvature = gap.curvature;
+    touch.curved = gap.curved;
     touch.is_at_rest = true;
     active_.push_back(t);
   }
@@ -255,8 +256,8 @@ void TouchSimulation::rest() {
     Touch& touch = touches[k];
     const Vec3 v =
         paths[touch.first].v - paths[touch.first].velocity_correction - paths[touch.second].v + paths[touch.second].velocity_correction;
-    touch.law.normal = glm::normalize(touch.law.normal + 0.5 * h_ * touch.curvature *
-                                                             tangential(touch.law.normal, v + 0.5 * h_ * relative_path(touch, 0.0).a));
+    const Vec3 along = touch.curved * tangential(touch.law.normal, v + 0.5 * h_ * relative_path(touch, 0.0).a);
+    touch.law.normal = glm::normalize(touch.law.normal + 0.5 * h_ * touch.curvature * along);
     reset(k, std::min(0.0, -2.0 * std::max(0.0, touch.gap) / h_ - glm::dot(touch.law.normal, v)));
   }
   recall_loads();

@@ -65,8 +65,9 @@ struct Touch {
   // for the impulses of contacts at rest and of impacts
   ContactLaw law;
   double gap = 0.0;        // [m]
-  double curvature = 0.0;  // [1/m], of the path of the first about the second
-  Vec3 surface{0.0};       // [m/s], of the surface of an obstacle relative to its shape
+  double curvature = 0.0;  // [1/m], of the path of the first about the second, and its axes, as in Gap
+  Vec3 curved{1.0};
+  Vec3 surface{0.0};  // [m/s], of the surface of an obstacle relative to its shape
 
   // [m], by which the shape is inflated: pairs are a point and a ball of the distance
   double inflation() const { return obstacle != nullptr ? distance : 0.0; }

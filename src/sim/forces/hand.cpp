@@ -54,15 +54,34 @@ double hand_power(const Plan& plan, const Motion& motion) {
   return glm::dot(force, vector_at(plan, motion.v, *plan.hand.held));
 }
 
+// The part [W] of it against dashpots.
+double power_on_dashpots(const Plan& plan, const Motion& motion) {
+  double power = 0.0;
+  if (!plan.hand.held) return power;
+  const Vec3 x = vector_at(plan, motion.x, *plan.hand.held), v = vector_at(plan, motion.v, *plan.hand.held);
+  for (const auto& [s, other] : plan.hand.held_springs) {
+    const Vec3 along = x - vector_at(plan, motion.x, other), relative = v - vector_at(plan, motion.v, other);
+    const double length = glm::length(along);
+    if (length == 0.0) continue;
+    const double damping = response_of(plan, s, motion.time, length).damping;
+    power += damping * glm::dot(relative, along) * glm::dot(v, along) / (length * length);
+  }
+  return power;
+}
+
 }  // namespace
 
 HandWork::HandWork(const Plan& plan, const Motion& motion)
-    : time_(motion.time), power_(hand_power(plan, motion)), stored_(energy_of_hand_alone(plan, motion.time, motion)) {}
+    : time_(motion.time),
+      power_(hand_power(plan, motion)),
+      on_dashpots_(power_on_dashpots(plan, motion)),
+      stored_(energy_of_hand_alone(plan, motion.time, motion)) {}
 
-void HandWork::add(const Plan& plan, Motion& motion, double h) const {
+void HandWork::add(const Plan& plan, Motion& motion, double h, bool has_swept) const {
   if (!plan.hand.held && !plan.hand.pull) return;
   const double stored = energy_of_hand_alone(plan, time_, motion) - stored_;
   motion.energy.add(EnergyCause::Hand, 0.5 * h * (power_ + hand_power(plan, motion)) + stored);
+  if (has_swept) motion.energy.add(EnergyCause::Dashpots, -0.5 * h * (on_dashpots_ + power_on_dashpots(plan, motion)));
 }
 
 }  // namespace hooke

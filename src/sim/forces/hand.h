@@ -16,11 +16,12 @@ Vec3 hand_force(const Plan& plan, const Motion& motion);
 class HandWork {
  public:
   HandWork(const Plan& plan, const Motion& motion);
-  // Adds it to the ledger, `h` [s] later.
-  void add(const Plan& plan, Motion& motion, double h) const;
+  // Adds it to the ledger, `h` [s] later. Sweeps over dashpots, which measure the kinetic energy of free points, have not counted as taken
+  // what the hand did against them.
+  void add(const Plan& plan, Motion& motion, double h, bool has_swept) const;
 
  private:
-  double time_, power_, stored_;  // [s], [W], [J], then
+  double time_, power_, on_dashpots_, stored_;  // [s], [W], [W], [J], then
 };
 
 }  // namespace hooke

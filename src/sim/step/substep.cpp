@@ -112,7 +112,7 @@ double Substep::step(Plan& plan, Motion& motion, int done, bool& is_moved) {
   motion.time = length == left_ ? time_after(done + 1) : motion.time + length;
 
   // the hand
-  hand.add(plan, motion, length);
+  hand.add(plan, motion, length, work_.dashpots.has_swept());
 
   // strain limit and contact
   if (!is_adaptive()) {
