@@ -20,8 +20,13 @@ if TYPE_CHECKING:
     from .scene import Scene
 
 
-def _restore(scene: Scene, accuracy: str, execution: tuple[int, str, str]) -> Lab:
-    return Lab(_hooke.Lab(scene._bound, accuracy, *execution))
+def _restore(scene: Scene, accuracy: str, execution: tuple[int, str, str], hand: tuple[int, float | None, Array] | None) -> Lab:
+    lab = Lab(_hooke.Lab(scene._bound, accuracy, *execution))
+    if hand is not None:
+        point, pull, (position, target) = hand
+        lab.grab(point, position, pull=pull)
+        lab.move_hand(target)
+    return lab
 
 
 class Contact(NamedTuple):
@@ -138,8 +143,8 @@ class Lab(Parameterized):
         return copy.deepcopy(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """For pickle: the scene in its present state, and how it is computed and measured. The history is left out, and what was held is free."""
-        return _restore, (self.scene(), self._bound.accuracy, self._bound.execution)
+        """For pickle: the scene in its present state, what is held, and how it is computed and measured, without the history."""
+        return _restore, (self.scene(), self._bound.accuracy, self._bound.execution, self._bound.hand)
 
     def _repr_png_(self) -> bytes:
         """The picture that Jupyter shows."""

@@ -50,6 +50,20 @@ def test_a_lab_is_pickled_and_copied_as_its_state():
     assert expected.hash == lab.hash
 
 
+@pytest.mark.parametrize("pull", [None, 50.0])
+def test_a_lab_is_pickled_with_what_the_hand_holds(pull):
+    lab = hooke.load("cloth").lab()
+    lab.grab(5, target=(0.2, 0.4, 0.3), pull=pull)
+    lab.step(4)
+    lab.move_hand((0.3, 0.3, 0.3))
+    copies = [pickle.loads(pickle.dumps(lab)), copy.deepcopy(lab)]
+    free = copy.copy(lab)
+    free.release()
+    for each in (lab, free, *copies):
+        each.step(3)
+    assert [made.hash for made in copies] == [lab.hash, lab.hash] and free.hash != lab.hash
+
+
 def test_runs_sweeps_and_charts_are_copied():
     run = final(100.0)
     for made in (copy.copy(run), copy.deepcopy(run)):

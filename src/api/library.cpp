@@ -214,7 +214,7 @@ double Simulation::time() const { return data().lab.scene().state.time; }
 std::uint64_t Simulation::hash() const { return hash_state(data().lab.scene().state); }
 
 Energy Simulation::energy() const {
-  const hooke::Energy energy = compute_energy(data().lab.scene().system, data().lab.scene().state);
+  const hooke::Energy& energy = data().lab.energy();
   return {energy.kinetic, energy.elastic, energy.gravitational};
 }
 

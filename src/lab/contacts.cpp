@@ -4,91 +4,107 @@
 #include <limits>
 
 #include "lab/loads.h"
+#include "sim/contact/box_tree.h"
 #include "sim/contact/closest.h"
 
 namespace hooke {
 namespace {
 
-// What a point may touch: a face, a spring with its second point twice, or a point three times.
+// What a point may touch: a face, a spring with its second point twice, or a point three times. Unknown: a point that touched something.
 struct Feature {
   Contact::Partner kind;
-  Index number = 0;
-  std::array<Index, 3> points{};
-  double x = 0.0;  // [m], of the first point
+  Index number;  // of a contact, if unknown
+  std::array<Index, 3> points;
 };
 
-struct Features {
-  std::vector<Feature> all;  // in ascending order of x
-  double reach = 0.0;        // [m], in x, between points that touch
-
-  Features(const Scene& scene, const SurfacePlan& surface) {
-    const System& system = scene.system;
-    double size = 0.0, radius = 0.0;
-    for (const Point& point : system.points()) radius = std::max(radius, point.radius);
-    const auto add = [&](Contact::Partner kind, Index number, std::initializer_list<PointId> ids) {
-      Feature feature{.kind = kind, .number = number};
-      std::ranges::transform(ids, feature.points.begin(), [&](PointId id) { return system.index_of(id); });
-      const std::vector<Vec3>& x = scene.state.position;
-      for (const Index i : feature.points) size = std::max(size, glm::length(x[i] - x[feature.points[0]]));
-      feature.x = x[feature.points[0]].x;
-      all.push_back(feature);
-    };
-    if (system.contact.faces && system.dimensions == 3)
-      for (Index n = 0; const Face& face : system.faces) add(Contact::Partner::Face, n++, {face.points[0], face.points[1], face.points[2]});
-    if (system.contact.springs)
-      for (Index n = 0; const Spring& each : system.springs()) add(Contact::Partner::Spring, n++, {each.first, each.second, each.second});
-    const auto add_point = [&](Index n) {
-      const PointId id = system.points()[n].id;
-      add(Contact::Partner::Point, n, {id, id, id});
-    };
-    for (Index n = 0; system.contact.points && n < system.point_count(); ++n) add_point(n);
-    for (const SurfacePiece& piece : surface.pieces)
-      if (piece.is_sphere() && !system.contact.points) add_point(surface.points[piece.points[0]]);
-    reach = 2.0 * (size + radius + system.contact.thickness);
-    std::ranges::sort(all, {}, &Feature::x);
-  }
-};
-
-void find_partner(const Scene& scene, const PairPlan& pairs, const Features& features, Contact& contact) {
-  const System& system = scene.system;
-  const auto radius_of = [&](Index i) { return system.points()[i].radius; };
-  const Vec3 x = scene.state.position[contact.point];
+struct Search : Contact {
   double nearest = std::numeric_limits<double>::infinity();  // [m], along the force
-  const auto note = [&](double gap, Contact::Partner kind, Index number, const Vec3& normal) {
-    const double along = glm::dot(normal, contact.force) / glm::length(contact.force);
+
+  void note(double gap, Partner kind, Index its_number, const Vec3& direction) {
+    const double along = glm::dot(direction, force) / glm::length(force);
     if (!(along > 0.0) || !(std::max(0.0, gap) / along < nearest)) return;
     nearest = std::max(0.0, gap) / along;
-    contact.partner = kind, contact.number = number, contact.normal = normal;
-  };
-  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
-    const Collider collider = current_collider(system, scene.state, c);
-    const Gap gap = gap_to(collider, radius_of(contact.point), x);
-    if (collider.solid) note(gap.distance, Contact::Partner::Collider, static_cast<Index>(c), gap.normal);
+    partner = kind, number = its_number, normal = direction;
   }
-  auto feature = std::ranges::lower_bound(features.all, x.x - features.reach, {}, &Feature::x);
-  for (; feature != features.all.end() && feature->x <= x.x + features.reach; ++feature) {
-    if (std::ranges::count(feature->points, contact.point) > 0) continue;
-    const auto corner = [&](std::size_t i) { return scene.state.position[feature->points[i]]; };
-    const bool is_point = feature->kind == Contact::Partner::Point;
-    const auto [first, second] = std::minmax(contact.point, feature->number);
-    if (is_point && pairs.excludes(first, second)) continue;
-    const Vec3 apart = is_point ? x - corner(0) : closest_points(FeaturePair::PointFace, {x, corner(0), corner(1), corner(2)}).separation;
-    const double distance = glm::length(apart), radii = is_point ? radius_of(contact.point) + radius_of(feature->number) : 0.0;
-    if (distance > 0.0) note(distance - radii, feature->kind, feature->number, apart / distance);
+};
+
+std::vector<Feature> list_features(const System& system, const SurfacePlan& surface) {
+  using Kind = Contact::Partner;
+  std::vector<Feature> all;
+  const auto at = [&](PointId id) { return system.index_of(id); };
+  if (system.contact.faces && system.dimensions == 3)
+    for (Index n = 0; const Face& f : system.faces) all.push_back({Kind::Face, n++, {at(f.points[0]), at(f.points[1]), at(f.points[2])}});
+  if (system.contact.springs)
+    for (Index n = 0; const Spring& s : system.springs()) all.push_back({Kind::Spring, n++, {at(s.first), at(s.second), at(s.second)}});
+  for (Index n = 0; system.contact.points && n < system.point_count(); ++n) all.push_back({Kind::Point, n, {n, n, n}});
+  for (const SurfacePiece& piece : surface.pieces)
+    if (const Index n = surface.points[piece.points[0]]; piece.is_sphere() && !system.contact.points)
+      all.push_back({Kind::Point, n, {n, n, n}});
+  return all;
+}
+
+void compare(const Scene& scene, const PairPlan& pairs, const Feature& feature, Search& search) {
+  if (feature.kind == Contact::Partner::Unknown || std::ranges::count(feature.points, search.point) > 0) return;
+  const bool is_point = feature.kind == Contact::Partner::Point;
+  const auto [first, second] = std::minmax(search.point, feature.number);
+  if (is_point && pairs.excludes(first, second)) return;
+  const auto place = [&](std::size_t i) { return scene.state.position[feature.points[i]]; };
+  const auto radius_of = [&](Index i) { return scene.system.points()[i].radius; };
+  const Vec3 x = scene.state.position[search.point];
+  const Vec3 apart = is_point ? x - place(0) : closest_points(FeaturePair::PointFace, {x, place(0), place(1), place(2)}).separation;
+  const double distance = glm::length(apart), radii = is_point ? radius_of(search.point) + radius_of(feature.number) : 0.0;
+  if (distance > 0.0) search.note(distance - radii, feature.kind, feature.number, apart / distance);
+}
+
+void compare_close(const Lab& lab, std::vector<Search>& searches) {
+  const Scene& scene = lab.scene();
+  const std::vector<Vec3>& x = scene.state.position;
+  std::vector<Feature> features = list_features(scene.system, lab.plan().surface);
+  for (Index n = 0; const Search& each : searches)
+    features.push_back({Contact::Partner::Unknown, n++, {each.point, each.point, each.point}});
+  std::vector<Vec3> places;
+  double size = 0.0, radius = 0.0;
+  for (const Feature& feature : features) {
+    places.push_back(x[feature.points[0]]);
+    for (const Index i : feature.points) size = std::max(size, glm::length(x[i] - places.back()));
   }
+  for (const Point& point : scene.system.points()) radius = std::max(radius, point.radius);
+  BoxTree tree;
+  tree.build(places);
+  const std::span<const Index> order = tree.order();
+  tree.fit([&](const BoxRange& items) {
+    SurfaceBox box{places[order[items.begin]], places[order[items.begin]]};
+    for (Index k = items.begin; k < items.end; ++k) box.include({places[order[k]], places[order[k]]});
+    return box;
+  });
+  const double reach = 2.0 * (size + radius + scene.system.contact.thickness);
+  tree.visit_close(reach, [&](const BoxTree::Node& first, const BoxTree::Node& second) {
+    for (const auto& [from, to] : {std::pair{first.items, second.items}, std::pair{second.items, first.items}})
+      for (Index i = from.begin; i < from.end; ++i)
+        for (Index k = to.begin; k < to.end && features[order[i]].kind == Contact::Partner::Unknown; ++k)
+          compare(scene, lab.plan().pairs, features[order[k]], searches[features[order[i]].number]);
+    return true;
+  });
 }
 
 }  // namespace
 
 std::vector<Contact> find_contacts(const Lab& lab) {
-  std::vector<Contact> contacts;
+  const Scene& scene = lab.scene();
+  std::vector<Search> searches;
   const std::vector<Vec3> forces = contact_forces(lab);
-  const Features features(lab.scene(), lab.plan().surface);
-  for (std::size_t i = 0; i < forces.size(); ++i)
-    if (forces[i] != Vec3(0.0))
-      find_partner(lab.scene(), lab.plan().pairs, features,
-                   contacts.emplace_back(Contact{.point = static_cast<Index>(i), .force = forces[i]}));
-  return contacts;
+  for (Index i = 0; i < std::ssize(forces); ++i)
+    if (forces[i] != Vec3(0.0)) searches.push_back({{.point = i, .force = forces[i]}});
+  for (std::size_t c = 0; c < scene.system.colliders.size(); ++c) {
+    const Collider collider = current_collider(scene.system, scene.state, c);
+    if (!collider.solid) continue;
+    for (Search& search : searches) {
+      const Gap gap = gap_to(collider, scene.system.points()[search.point].radius, scene.state.position[search.point]);
+      search.note(gap.distance, Contact::Partner::Collider, static_cast<Index>(c), gap.normal);
+    }
+  }
+  if (!searches.empty()) compare_close(lab, searches);
+  return {searches.begin(), searches.end()};
 }
 
 }  // namespace hooke

@@ -76,6 +76,7 @@ class Lab {
   const std::shared_ptr<const Status>& status() const { return published_.status; }
   void publish();
   const Scene& scene() const { return scene_; }
+  const Energy& energy() const { return energy_; }
   // The scene as GoToStart would leave it; as it is now if no start is kept.
   Scene scene_at_start();
 

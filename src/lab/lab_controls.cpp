@@ -44,7 +44,7 @@ void Lab::reset_session() {
   tallies_ = {.edits = tallies_.edits};
   update_plan({.structure = true});
   frame_.runner.take_change();  // it is the start of a run, not an edit in one
-  initialize_supply(scene_.system, scene_.state);
+  initialize_supply(scene_.system, energy_, scene_.state);
 }
 
 void Lab::rebuild_plan() {

@@ -72,6 +72,16 @@ void grab(NamedLab& lab, std::int64_t point, const Doubles& target, std::optiona
   submit(lab, GrabPoint{item});
 }
 
+// (point, stiffness [N/m] of its pull or None, its position and target [m]); None: the hand is free.
+py::object hand_of(NamedLab& lab) {
+  const Use use(lab);
+  const Scene& scene = lab.lab.scene();
+  const auto& grab = scene.system.grab;
+  if (!grab) return py::none();
+  const py::object pull = grab->kind == GrabKind::Pull ? py::object(py::float_(grab->stiffness)) : py::none();
+  return py::make_tuple(scene.system.index_of(grab->point), pull, to_array(std::array{scene.state.hand.position, scene.state.hand.target}));
+}
+
 void nail(NamedLab& lab, const std::vector<std::int64_t>& points, bool nailed) {
   const Change guard(lab);
   SetNailed set;
@@ -152,7 +162,7 @@ py::object array_of(NamedLab& lab, py::object NamedLab::*kept, std::vector<Vec3>
 // {"kinetic", ..., "total"} [J].
 py::dict energy_of(NamedLab& lab) {
   const Use use(lab);
-  const Energy energy = compute_energy(lab.lab.scene().system, lab.lab.scene().state);
+  const Energy& energy = lab.lab.energy();
   return py::dict("kinetic"_a = energy.kinetic, "elastic"_a = energy.elastic, "gravitational"_a = energy.gravitational,
                   "total"_a = energy.total());
 }
@@ -252,6 +262,7 @@ void bind_lab(py::module_& module) {
       }))
       .def("step", &step)
       .def("grab", &grab)
+      .def_property_readonly("hand", &hand_of)
       .def("move_hand", [](NamedLab& lab, const Doubles& target) { change(lab, MoveHand{vector_from("target", target)}); })
       .def("release", [](NamedLab& lab) { change(lab, ReleaseHand{}); })
       .def("nail", &nail)

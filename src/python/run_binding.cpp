@@ -32,7 +32,7 @@ class Samples {
         *to_velocity_++ = state.velocity[i][c];
       }
     time_.push_back(state.time);
-    energy_.push_back(compute_energy(lab_.scene().system, state));
+    energy_.push_back(lab_.energy());
     accuracy_.push_back(accuracy);
   }
 

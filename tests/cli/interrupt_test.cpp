@@ -7,6 +7,7 @@
 #include <functional>
 #include <thread>
 
+#include "base/number_text.h"
 #include "support/contents.h"
 #include "support/headless.h"
 #include "support/scratch_folder.h"
@@ -16,17 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The exit code of a command in a folder that gets a signal once `is_ready`.
-int code_after(int signal, const std::string& arguments, const fs::path& folder, const std::function<bool()>& is_ready) {
+// The exit code of a command in a folder that gets a signal once `is_ready`. Its errors go to a file.
+int code_after(int signal, const std::string& arguments, const fs::path& folder, const std::function<bool()>& is_ready,
+               const fs::path& errors = "/dev/null") {
   std::vector<std::string> words{"/usr/bin/env", "-C", folder.string(), HOOKE_HEADLESS};
   for (std::istringstream text(arguments); text;)
     if (std::string word; text >> word) words.push_back(word);
-  const int null = open("/dev/null", O_WRONLY | O_CLOEXEC);
-  const pid_t child = start_process(words, null, null);
+  const int null = open("/dev/null", O_WRONLY | O_CLOEXEC), stderr_file = open(errors.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  const pid_t child = start_process(words, null, stderr_file);
   for (int tries = 0; tries < 600 && !is_ready(); ++tries) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   kill(child, signal);
   const int code = wait_for(child);
-  close(null);
+  close(null), close(stderr_file);
   return code;
 }
 
@@ -70,6 +72,25 @@ TEST(Interrupt, ACaptureKeepsItsPicturesAndItsReport) {
   EXPECT_EQ(files_in(scratch.folder / "frames", "frame_"), static_cast<long>(json["frames"].Size()));
   EXPECT_EQ(files_in(scratch.folder / "frames", "."), 0);
   EXPECT_EQ(files_in(scratch.folder / "report", "."), 0);
+}
+
+// Their formats have no place for a mark.
+TEST(Interrupt, TheErrorsSayWhereATableOrAFilmEnds) {
+  const ScratchFolder scratch, other;
+  const auto has_begun = [&] { return has_long_file(scratch.folder); };
+  const fs::path errors = other.folder / "errors";
+  EXPECT_EQ(code_after(SIGTERM, "run cloth --seconds 1e5 --sample 0.001 --accuracy off --csv a.csv -q", scratch.folder, has_begun, errors),
+            143);
+  const std::vector<std::string> rows = lines_of(contents(scratch.folder / "a.csv"));
+  const std::string time = rows.back().substr(0, rows.back().find(','));
+  EXPECT_NE(contents(errors).find("Interrupted: the results end at t = " + number_text(std::stod(time)) + " s."), std::string::npos);
+
+  fs::remove(scratch.folder / "a.csv"), fs::remove(errors);
+  EXPECT_EQ(code_after(SIGINT, "capture cloth --out a.gif --seconds 1e5 --size 320x180 -q", scratch.folder, has_begun, errors), 130);
+  const std::string film = contents(scratch.folder / "a.gif");
+  EXPECT_TRUE(film.starts_with("GIF89a") && film.ends_with(';'));
+  EXPECT_NE(contents(errors).find("Interrupted: the pictures end at t = "), std::string::npos);
+  EXPECT_EQ(files_in(scratch.folder, "."), 0);
 }
 
 TEST(Interrupt, ASweepKeepsItsRowsAndMarksThem) {

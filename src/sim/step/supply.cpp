@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/forces/energy/energy.h"
 #include "sim/step/constants.h"
 
 namespace hooke {
@@ -40,8 +39,9 @@ void record_extent(State& state) {
 
 }  // namespace
 
-void initialize_supply(const System& system, State& state) {
-  const Energy energy = compute_energy(system, state);
+void initialize_supply(const System& system, State& state) { initialize_supply(system, compute_energy(system, state), state); }
+
+void initialize_supply(const System& system, const Energy& energy, State& state) {
   state.supply = {.net_input = energy.total()};
   state.supply.scale = std::max(energy.kinetic + energy.elastic, min_scale(system, state));
   record_extent(state);

@@ -1,14 +1,16 @@
 // What was supplied to a scene so far (EnergySupply), which bounds what its motion can reach. The edits and the frames of a run add to it.
 #pragma once
 
+#include "sim/forces/energy/energy.h"
 #include "sim/model/energy_ledger.h"
 #include "sim/model/state.h"
 #include "sim/plan/plan.h"
 
 namespace hooke {
 
-// Starts at this state.
+// Starts at this state, whose energy may be known.
 void initialize_supply(const System& system, State& state);
+void initialize_supply(const System& system, const Energy& energy, State& state);
 
 // Records that an edit, which led to (system, state), changed the energy by `change` [J].
 void record_edit_energy(const System& system, double change, State& state);

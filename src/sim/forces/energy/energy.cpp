@@ -8,7 +8,8 @@ namespace hooke {
 SpringResponse response_at(const System& system, const State& state, const Spring& spring) {
   const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
   const double extension = length - system.rest_length_of(spring, state.time);
-  return response_of(spring.law ? *spring.law : SpringLaw{}, system.stiffness_of(spring), extension);
+  static constexpr SpringLaw linear;
+  return response_of(spring.law ? *spring.law : linear, system.stiffness_of(spring), extension);
 }
 
 Energy compute_energy(const System& system, const State& state) {
