@@ -1,4 +1,5 @@
 // The effect of each action of ui/actions.inc and each request of the panels.
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "app/app.h"
@@ -196,7 +197,14 @@ void App::show_or_hide_at_left(bool* panel) {
   work_.ghosts.set({}, status(), lab_);
 }
 
+void App::release_nails() {
+  if (std::ranges::none_of(tool_context_.system().points(), &Point::nailed)) return panels_.show_toast("No point is nailed");
+  lab_.submit(ReleaseNails{});
+}
+
 void App::switch_muscles() {
+  const auto moves = [](const Spring& spring) { return spring.law && spring.law->moves(); };
+  if (std::ranges::none_of(tool_context_.system().springs(), moves)) return panels_.show_toast("This scene has no muscles or winches");
   const bool on = !status().snapshot->system->muscles.on;
   lab_.submit(SetParameter{find_parameter("muscles"), on ? 1.0 : 0.0});
   panels_.show_toast(on ? "Muscles and winches move" : "Muscles and winches stand still");

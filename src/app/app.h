@@ -99,6 +99,7 @@ class App {
   void follow_plots();
   void show_or_hide_at_left(bool* panel);
   void choose_texture(const std::string& typed);
+  void release_nails();
   void switch_muscles();
   void switch_device();
   void show(const Scene& scene);

@@ -89,18 +89,25 @@ constinit const FileKind png_file{.extension = ".png",
                                   .title = "Picture",
                                   .source = ExportSource::Picture,
                                   .label = "Picture",
-                                  .description = "The current view of the scene, or the window."};
+                                  .description = "The current view of the scene, or the window.",
+                                  .has_opacity = true};
 
 namespace {
 
-constexpr FileKind film_kind(std::string_view extension, std::string_view label, std::string_view description) {
-  return {.extension = extension, .title = label, .source = ExportSource::Film, .label = label, .description = description};
+constexpr FileKind film_kind(std::string_view extension, std::string_view label, std::string_view description, bool has_opacity = false) {
+  return {.extension = extension,
+          .title = label,
+          .source = ExportSource::Film,
+          .label = label,
+          .description = description,
+          .has_opacity = has_opacity};
 }
 
 }  // namespace
 
 constinit const FileKind film_file = film_kind(".mp4", "Film", "The view from now on, until F12; needs ffmpeg.");
-constinit const FileKind webp_file = film_kind(".webp", "Animated picture", "The view from now on, until F12. Small; browsers play it.");
+constinit const FileKind webp_file =
+    film_kind(".webp", "Animated picture", "The view from now on, until F12. Small; browsers play it.", true);
 constinit const FileKind gif_file =
     film_kind(".gif", "Animated picture", "The view from now on, until F12. Every program plays it; the files are large, of 255 colors.");
 

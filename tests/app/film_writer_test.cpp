@@ -74,11 +74,13 @@ TEST(FilmWriter, RemovesAnUnfinishedFilmEvenIfFfmpegReadsNothing) {
 }
 
 // A film of two pictures without ffmpeg, the first for 3 frames of 1/30 s.
-std::string film_of_two(const char* name) {
+std::string film_of_two(const char* name, int channels = 3) {
   const ScratchFolder scratch;
   const fs::path file = scratch.folder / name;
   FilmWriter writer(file, 64, 36, 30.0);
   Picture picture = gray(64, 36);
+  picture.channels = channels;
+  picture.pixels.resize(static_cast<std::size_t>(channels) * 64u * 36u, 100);
   EXPECT_TRUE(writer.add(picture, 3));
   picture.pixels[300] = 7;
   EXPECT_TRUE(writer.add(picture, 1));
@@ -99,6 +101,12 @@ TEST(FilmWriter, WritesAnimatedWebp) {
   EXPECT_EQ(bytes.substr(8, 8), "WEBPVP8X");
   EXPECT_EQ(count_of("ANMF", bytes), 2);
   EXPECT_EQ(bytes[bytes.find("ANMF") + 20], 100) << "ms";
+}
+
+TEST(FilmWriter, WritesWebpWithTheOpacityOfItsPictures) {
+  constexpr int has_opacity = 0x10;  // in the flags of the chunk VP8X
+  EXPECT_EQ(film_of_two("film.webp")[20] & has_opacity, 0);
+  EXPECT_EQ(film_of_two("film.webp", 4)[20] & has_opacity, has_opacity);
 }
 
 TEST(FilmWriter, WritesAnimatedGifs) {

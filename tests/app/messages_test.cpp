@@ -65,7 +65,44 @@ TEST(Tools, ThatDoNothingSayWhy) {
     gui.click(empty);
     EXPECT_NE(gui.app().panels().messages.toast.find(words), std::string::npos) << key << gui.app().panels().messages.toast;
   }
+  const auto says = [&](const char* words) {
+    gui.frames(1);
+    EXPECT_NE(gui.app().panels().messages.toast.find(words), std::string::npos) << words << "; " << gui.app().panels().messages.toast;
+    gui.app().panels().messages.toast.clear();
+  };
+  const glm::dvec2 point = gui.seen({0.2, 0.0, 0.0}), beside = point + glm::dvec2(6.0, 0.0);
+  gui.key(letter('V'));
+  gui.click(empty);
+  says("nothing here to select");
+  gui.drag(empty, empty + glm::dvec2(20.0, -20.0));
+  says("no point in this area");
+  gui.key(letter('D'));
+  gui.click(point);
+  says("Hold the button");
+  gui.key(letter('A'));
+  gui.click(point);
+  says("a point here already");
+  for (const char tool : {'A', 'T'}) {
+    gui.key(letter(tool));
+    gui.drag(point, beside);
+    says("needs two points");
+  }
   EXPECT_EQ(gui.system().point_count(), 3);
+  EXPECT_EQ(gui.status().history.undo_name, "");
+}
+
+TEST(Keys, ThatDoNothingSayWhy) {
+  GuiFixture gui(hanging());
+  const auto says = [&](Key key, Modifiers modifiers, const char* words) {
+    gui.key(key, modifiers);
+    EXPECT_NE(gui.app().panels().messages.toast.find(words), std::string::npos) << words << "; " << gui.app().panels().messages.toast;
+  };
+  says(letter('U'), {}, "no muscles");
+  says(letter('Z'), {.control = true}, "nothing to undo");
+  says(letter('Y'), {.control = true}, "nothing to redo");
+  for (const Key key : {Key::Delete, letter('F')}) says(key, {}, "Nothing is selected");
+  gui.key(letter('R'));
+  says(letter('R'), {}, "No point is nailed");
 }
 
 TEST(AttachTool, AddsThePointsThatAreNotThere) {

@@ -24,7 +24,7 @@ Scene SelectionEditor::selected_part() const {
 
 void SelectionEditor::copy(AfterCopy after_copy) {
   auto part = std::make_shared<const Scene>(selected_part());
-  if (part->system.points().empty()) return panels_.show_toast("Nothing is selected");
+  if (part->system.points().empty()) return panels_.show_toast("No point or spring is selected");
   if (part->system.point_count() > max_copied_points)
     return panels_.show_toast("Too large for the clipboard: " + count(part->system.point_count(), "point") + ", the limit is " +
                               std::to_string(max_copied_points));
@@ -67,7 +67,7 @@ void SelectionEditor::paste(const Scene& part, const glm::dvec2& place) {
 
 void SelectionEditor::duplicate() {
   const Scene part = selected_part();
-  if (part.system.points().empty()) return panels_.show_toast("Nothing is selected");
+  if (part.system.points().empty()) return panels_.show_toast("No point or spring is selected");
   const Vec3 middle = bounding_box(part.state.position).center();
   const auto seen = project_to_screen(context_.view_transform(), middle);
   const glm::dvec2 offset(duplicate_offset * context_.scale);

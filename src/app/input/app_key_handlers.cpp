@@ -77,9 +77,17 @@ bool App::perform_shortcut(const KeyPress& press) {
   const Shortcut* shortcut = find_shortcut(press.key, press.modifiers);
   if (shortcut == nullptr || (press.repeated && !shortcut->repeats)) return false;
   // the gallery hides the scene: keys must not affect it
-  if (panels_.gallery.is_shown && row_of(shortcut->action).needs != Needs::Nothing) return false;
+  const Needs needs = row_of(shortcut->action).needs;
+  if (panels_.gallery.is_shown && needs != Needs::Nothing) return false;
   settle();
-  perform(shortcut->action, press.repeated);
+  if (needs == Needs::Selection && tool_context_.selection.empty())
+    panels_.show_toast("Nothing is selected");
+  else if (needs == Needs::UndoStep && status().history.undo_name.empty())
+    panels_.show_toast("There is nothing to undo");
+  else if (needs == Needs::RedoStep && status().history.redo_name.empty())
+    panels_.show_toast("There is nothing to redo");
+  else
+    perform(shortcut->action, press.repeated);
   return true;
 }
 

@@ -2,27 +2,30 @@
 
 #include "app/document/system_dialog.h"
 #include "base/printable.h"
+#include "draw/view.h"
 #include "lab/recording.h"
 
 namespace hooke {
 
-void Captures::report_picture(const std::filesystem::path& file, const std::string& error) {
-  if (error.empty())
-    panels_.show_toast("Picture saved to " + printable(file.native()));
-  else
-    panels_.show_message("Cannot write the picture", error);
+void Captures::write_picture(const WantedPicture& wanted, const std::function<Picture(const PictureOptions&)>& draw) {
+  try {
+    write_png(draw(wanted.options), wanted.file);
+    panels_.show_toast("Picture saved to " + printable(wanted.file.native()));
+  } catch (const std::runtime_error& error) {  // FileError, or a picture that is too large for the graphics card
+    panels_.show_message("Cannot write the picture", error.what());
+  }
 }
 
-void Captures::start_film(const std::filesystem::path& file, bool with_panels) {
+void Captures::start_film(const std::filesystem::path& file, const PictureOptions& options) {
   if (film_recorder_.is_filming() || film_recorder_.is_writing()) return panels_.show_toast("The previous film is still being written");
-  film_recorder_.start_film(file, with_panels);
+  film_recorder_.start_film(file, options);
 }
 
 void Captures::start_or_stop_film() {
   if (film_recorder_.is_filming())
     film_recorder_.end_film();
   else
-    start_film(document_.new_file_beside(find_program("ffmpeg").empty() ? ".webp" : ".mp4"));
+    start_film(document_.new_file_beside(find_program("ffmpeg").empty() ? ".webp" : ".mp4"), {});
 }
 
 void Captures::start_or_stop_recording() {

@@ -14,7 +14,7 @@ class Captures {
  public:
   Captures(ToolContext& context, Panels& panels, const Document& document) : context_(context), panels_(panels), document_(document) {}
 
-  // The main loop draws the picture and reports the result.
+  // The main loop draws the picture.
   struct WantedPicture {
     std::filesystem::path file;
     PictureOptions options;
@@ -23,10 +23,10 @@ class Captures {
   void take_picture(std::filesystem::path file, const PictureOptions& options) { picture_ = {std::move(file), options}; }
   // The picture to be written, once.
   std::optional<WantedPicture> take_wanted_picture() { return std::exchange(picture_, std::nullopt); }
-  void report_picture(const std::filesystem::path& file, const std::string& error);
+  void write_picture(const WantedPicture& wanted, const std::function<Picture(const PictureOptions&)>& draw);
 
   // A file of a film format (draw/film/film_encoder.h).
-  void start_film(const std::filesystem::path& file, bool with_panels = false);
+  void start_film(const std::filesystem::path& file, const PictureOptions& options);
   void start_or_stop_film();
   void start_or_stop_recording();
   // Once per frame: reports what has been written, and errors.

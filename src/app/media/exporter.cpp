@@ -46,7 +46,9 @@ void Exporter::start() {
   if (kind.source == ExportSource::Scene) return export_state();
   state.is_shown = false;
   if (kind.source == ExportSource::Picture) return captures_.take_picture(file_, state.picture);
-  captures_.start_film(file_, state.picture.panels);
+  PictureOptions options = state.picture;
+  options.transparent = options.transparent && kind.has_opacity;
+  captures_.start_film(file_, options);
   context_.lab.submit(SetRunning{true});
 }
 

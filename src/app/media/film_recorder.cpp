@@ -1,11 +1,9 @@
 #include "app/media/film_recorder.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
+#include <stdexcept>
 #include <utility>
 
-#include "base/errors.h"
 #include "base/printable.h"
 
 namespace hooke {
@@ -14,29 +12,15 @@ namespace {
 // The maximum number of film frames that one picture covers, however long the window was not drawn.
 constexpr long max_repeats = 60;
 
-Picture cut(const Picture& whole, const Viewport& place) {
-  const int left = std::clamp(place.x, 0, whole.width), top = std::clamp(place.y, 0, whole.height);
-  const int width = std::clamp(place.width, 0, whole.width - left), height = std::clamp(place.height, 0, whole.height - top);
-  Picture part{.width = width,
-               .height = height,
-               .pixels = std::vector<std::uint8_t>(3u * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
-  const std::size_t row = 3u * static_cast<std::size_t>(width);
-  for (int y = 0; y < height && row > 0; ++y)
-    std::memcpy(
-        &part.pixels[row * static_cast<std::size_t>(y)],
-        &whole.pixels[3u * (static_cast<std::size_t>(top + y) * static_cast<std::size_t>(whole.width) + static_cast<std::size_t>(left))],
-        row);
-  return part;
-}
-
 }  // namespace
 
-void FilmRecorder::take(const View& view, const Viewport& place, double now) {
+void FilmRecorder::take(double now, const std::function<Picture(const PictureOptions&)>& draw) {
   const bool is_due = film_ && !is_ending_ && static_cast<long>((now - started_) * video_frame_rate) >= pictures_;
-  if (!film_wanted_ && !is_due) return;
-  Picture picture = has_panels_ ? view.read() : cut(view.read(), place);
-  if (picture.pixels.empty()) return;
+  // the frame that asked for the film still shows the dialog
+  if (std::exchange(is_new_, false) || (!film_wanted_ && !is_due)) return;
   try {
+    Picture picture = draw(options_);
+    if (picture.pixels.empty()) return;
     if (const auto file = std::exchange(film_wanted_, std::nullopt)) {
       film_.emplace(*file, picture.width, picture.height, video_frame_rate);
       is_ending_ = false;
@@ -46,7 +30,8 @@ void FilmRecorder::take(const View& view, const Viewport& place, double now) {
       pictures_ = 0;
     }
     take_for_film(std::move(picture), now);
-  } catch (const FileError& error) {
+  } catch (const std::runtime_error& error) {  // FileError, or a picture that is too large for the graphics card
+    film_wanted_.reset();
     film_.reset();
     message_ = error.what();
   }

@@ -33,7 +33,10 @@ std::optional<PointId> attach(PointId first, const Pointer& pointer, ToolContext
   if (neighbor == no_index) return std::nullopt;
   const Vec3 from = context.snapshot().position(first);
   if (const auto second = context.point_at(pointer.at)) {
-    if (*second == first) return std::nullopt;
+    if (*second == first) {
+      context.notice = "A spring needs two points: drag to another one, or to where to add one";
+      return std::nullopt;
+    }
     context.lab.submit(Insert{.springs = {new_spring(first, from, *second, context.snapshot().position(*second), context)}});
     return second;
   }
@@ -92,8 +95,11 @@ class AddTool : public Tool {
   }
 
   void release(const Pointer& pointer, ToolContext& context) override {
-    if (const auto first = std::exchange(first_, std::nullopt); first && context.is_drag(pressed_at_, pointer.at))
+    const auto first = std::exchange(first_, std::nullopt);
+    if (first && context.is_drag(pressed_at_, pointer.at))
       attach(*first, pointer, context);
+    else if (first)
+      context.notice = "There is a point here already: drag from it to attach the next one";
   }
 
   bool cancel(ToolContext&) override { return std::exchange(first_, std::nullopt).has_value(); }

@@ -43,6 +43,7 @@ std::optional<GrabTarget> grab_target_at(const ToolContext& context, const glm::
 class DragTool : public Tool {
  public:
   void press(const Pointer& pointer, ToolContext& context) override {
+    pressed_at_ = pointer.at;
     grab_target_ = grab_target_at(context, pointer.at);
     if (!grab_target_ && !collider_.begin(pointer.at, DraggableColliders::All, context)) context.notice = "There is nothing here to drag";
     if (!grab_target_) return;
@@ -75,6 +76,8 @@ class DragTool : public Tool {
 
   void release(const Pointer& pointer, ToolContext& context) override {
     follow(pointer, context);
+    if ((grab_target_ || collider_.is_dragging()) && pointer.at == pressed_at_ && !context.status->run.running)
+      context.notice = "Hold the button and move to drag";
     let_go(context);
     collider_.end(context);
     grab_target_.reset();
@@ -143,6 +146,7 @@ class DragTool : public Tool {
   ColliderDrag collider_;  // used where there is no point
   Gesture gesture_ = 0;
   bool has_hand_ = false, has_moved_ = false;
+  glm::dvec2 pressed_at_{0.0};
   Vec3 start_{0.0};                 // of the point
   Vec3 offset_{0.0}, target_{0.0};  // of the grabbed position
 };

@@ -12,6 +12,8 @@
 namespace hooke {
 namespace {
 
+constexpr const char* alt_drags = "Alt+drag from a point sets its velocity";
+
 class SelectTool : public Tool {
  public:
   void press(const Pointer& pointer, ToolContext& context) override {
@@ -179,7 +181,7 @@ class SelectTool : public Tool {
   void press_velocity(ToolContext& context) {
     const auto point = context.point_at(pressed_at_);
     if (!point || context.system().points()[context.system().index_of(*point)].nailed) {
-      context.notice = point ? "A nailed point has no velocity" : "Alt+drag from a point sets its velocity";
+      context.notice = point ? "A nailed point has no velocity" : alt_drags;
       return;
     }
     point_ = *point;
@@ -198,7 +200,10 @@ class SelectTool : public Tool {
   // Of all selected points.
   void set_velocity(ToolContext& context) const {
     SetVelocity set;
-    if (!context.is_drag(pressed_at_, current_)) return;
+    if (!context.is_drag(pressed_at_, current_)) {
+      context.notice = alt_drags;
+      return;
+    }
     for (const PointId id : context.selection.points) set.values.emplace_back(id, velocity(context));
     context.lab.submit(std::move(set));
   }
@@ -240,6 +245,8 @@ class SelectTool : public Tool {
       if (const auto hit = context.collider_at(pointer.at)) found.collider = hit->collider;
     if (context.is_drag(pressed_at_, pointer.at))
       found = select_with_springs_between(context.system(), points_within(context.snapshot(), context.view_transform(), outline()));
+    if (found.empty() && (pointer.modifiers.shift || context.selection.empty()))
+      context.notice = context.is_drag(pressed_at_, pointer.at) ? "There is no point in this area" : "There is nothing here to select";
     if (pointer.modifiers.shift)
       context.selection.add(found);
     else

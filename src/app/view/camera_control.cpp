@@ -37,7 +37,7 @@ void CameraControl::frame_all() {
 
 void CameraControl::frame_selection() {
   const Scene part = copy_selection(context_.snapshot(), context_.status->document->sheet, context_.selection);
-  if (part.system.points().empty()) return panels_.show_toast("Nothing is selected");
+  if (part.system.points().empty()) return panels_.show_toast("No point or spring is selected");
   flight_.reset();
   frame_scene(context_.camera, part.system, part.state, aspect_ratio());
 }

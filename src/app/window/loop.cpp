@@ -77,46 +77,35 @@ class Scale {
   double scale_ = 0.0, density_ = 0.0;
 };
 
-void draw(View& view, App& app, const Window& window, const Scale& scale, const ImDrawData* panels) {
-  ViewOptions options = app.view_options();
-  options.scale = scale.scale() * scale.density();
+Viewport place_of_scene(const App& app, const Scale& scale) {
   const Rect& scene = app.layout().scene;
   const auto pixels = [&](double length) { return static_cast<int>(std::lround(length * scale.density())); };
-  options.place = {pixels(scene.x), pixels(scene.y), pixels(scene.width), pixels(scene.height)};
-  const glm::ivec2 size = window.framebuffer_size();
-  view.draw(*app.status().snapshot, app.marks(), app.camera(), options, size.x, size.y, panels);
-  view.show();
-  app.captures().film_recorder().take(view, options.place, seconds_since({}));
+  return {pixels(scene.x), pixels(scene.y), pixels(scene.width), pixels(scene.height)};
 }
 
-// The scene without panels, or the window, at its size on screen or at another one.
-void take_picture(View& view, App& app, const Window& window, const Scale& scale, const ImDrawData* panels,
-                  const Captures::WantedPicture& wanted) {
-  const PictureOptions& wish = wanted.options;
+// Draws the window.
+void draw(View& view, const App& app, const Window& window, const Scale& scale, const ImDrawData* panels) {
   ViewOptions options = app.view_options();
-  const Rect& scene = app.layout().scene;
-  const double density = scale.density(), height = wish.panels || wish.height == 0 ? scene.height * density : wish.height;
-  const double width = wish.panels || wish.width == 0 ? scene.width * density : wish.width;
-  options.scale = scale.scale() * height / scene.height;
-  options.transparent = wish.transparent && !wish.panels;
+  options.scale = scale.scale() * scale.density();
+  options.place = place_of_scene(app, scale);
+  const glm::ivec2 size = window.framebuffer_size();
+  view.draw(*app.status().snapshot, app.marks(), app.camera(), options, size.x, size.y, panels);
+}
+
+// The window that was drawn last; or the scene without panels, at its size on screen or at another one.
+Picture picture_of(View& view, const App& app, const Scale& scale, const PictureOptions& wish) {
+  if (wish.panels) return view.read();
+  ViewOptions options = app.view_options();
+  const Viewport place = place_of_scene(app, scale);
+  const int width = wish.width == 0 ? place.width : wish.width, height = wish.height == 0 ? place.height : wish.height;
+  options.scale = scale.scale() * height / app.layout().scene.height;
+  options.transparent = wish.transparent;
   if (options.transparent) options.grid = false;
-  try {
-    if (wish.panels) {
-      const auto pixels = [&](double length) { return static_cast<int>(std::lround(length * density)); };
-      options.place = {pixels(scene.x), pixels(scene.y), pixels(scene.width), pixels(scene.height)};
-      const glm::ivec2 size = window.framebuffer_size();
-      view.draw(*app.status().snapshot, app.marks(), app.camera(), options, size.x, size.y, panels);
-    } else {
-      Marks marks;
-      marks.arrows = app.marks().arrows;
-      view.draw(*app.status().snapshot, marks, app.camera(), options, static_cast<int>(std::lround(width)),
-                static_cast<int>(std::lround(height)), nullptr);
-    }
-    write_png(view.read(options.transparent), wanted.file);
-    app.captures().report_picture(wanted.file, {});
-  } catch (const std::runtime_error& error) {  // FileError, or a picture that is too large for the graphics card
-    app.captures().report_picture(wanted.file, error.what());
-  }
+  Marks marks;
+  marks.arrows = app.marks().arrows;
+  marks.ghost_networks = app.marks().ghost_networks;
+  view.draw(*app.status().snapshot, marks, app.camera(), options, width, height, nullptr);
+  return view.read(options.transparent);
 }
 
 }  // namespace
@@ -154,11 +143,13 @@ void run_loop(Window& window, App& app) {
     const ImDrawData* panels = window.gui().end_frame();
     window.set_title(app.title());
 
-    if (wanted) take_picture(view, app, window, scale, panels, *wanted);
-
     // picture
     const auto start = Clock::now();
     draw(view, app, window, scale, panels);
+    view.show();
+    const auto picture = [&](const PictureOptions& wish) { return picture_of(view, app, scale, wish); };
+    if (wanted) app.captures().write_picture(*wanted, picture);
+    app.captures().film_recorder().take(seconds_since({}), picture);
     pacer.record_drawn_frame(seconds_since(start));
     window.swap();
   }

@@ -28,7 +28,8 @@ class WebpEncoder : public FilmEncoder {
     pixels.use_argb = 1;
     pixels.width = picture.width;
     pixels.height = picture.height;
-    const bool is_added = WebPPictureImportRGB(&pixels, picture.pixels.data(), 3 * picture.width) != 0 &&
+    const auto import_pixels = picture.channels == 4 ? WebPPictureImportRGBA : WebPPictureImportRGB;
+    const bool is_added = import_pixels(&pixels, picture.pixels.data(), picture.channels * picture.width) != 0 &&
                           WebPAnimEncoderAdd(encoder_.get(), &pixels, now(), &config_) != 0;
     WebPPictureFree(&pixels);
     if (!is_added) fail();

@@ -22,7 +22,7 @@ class FilmEncoder {
 using StartFilm = std::unique_ptr<FilmEncoder>(const std::filesystem::path& file, int width, int height, double frame_rate);
 
 StartFilm start_mp4;   // H.264 by ffmpeg; the error text says how to install it
-StartFilm start_webp;  // at most 16383 pixels wide and high; the film is in memory until it is closed
+StartFilm start_webp;  // at most 16383 pixels wide and high, opaque or not; the film is in memory until it is closed
 StartFilm start_gif;   // 255 colors for what changes from one picture to the next, at most 50 pictures per second
 
 // By the extension: .mp4, .webp or .gif. Null: none of them.

@@ -59,12 +59,12 @@ void over_time(ExportState& export_state, Panels& panels) {
 }
 
 void picture_rows(ExportState& export_state, const PanelInput& input, Panels& panels) {
-  const ExportSource source = export_kinds()[export_state.kind].source;
-  if (source != ExportSource::Picture && source != ExportSource::Film) return;
+  const FileKind& kind = export_kinds()[export_state.kind];
+  if (kind.source != ExportSource::Picture && kind.source != ExportSource::Film) return;
   PictureOptions& picture = export_state.picture;
   ImGui::Checkbox("The whole window with its panels", &picture.panels);
-  if (picture.panels || source == ExportSource::Film) return;
-  ImGui::Checkbox("Transparent background", &picture.transparent);
+  if (picture.panels) return;
+  if (kind.has_opacity) ImGui::Checkbox("Transparent background", &picture.transparent);
   if (picture.width == 0) {
     const double pixels_per_unit = 1.0 / ImGui::GetIO().FontGlobalScale;
     picture.width = static_cast<int>(pixels_per_unit * input.layout.scene.width);
