@@ -515,7 +515,7 @@ void simulate(real h, Free path) {
       predict(c);
       if (touches[c].time <= left && (earliest < 0 || touches[c].time < touches[earliest].time)) earliest = c;
     }
-    if (earliest < 0 || impacts == 2 * max_impacts) break;
+    if (earliest < 0 || impacts > 2 * max_impacts) break;
     real t = touches[earliest].time;
     respond(earliest, t, impacts < max_impacts);
     follow_balls(t);

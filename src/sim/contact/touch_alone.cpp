@@ -14,7 +14,7 @@ void TouchSimulation::reserve_alone(std::size_t obstacles) {
   touches.reserve(obstacles);
   loads_.now.reserve(obstacles);
   loads_.last.reserve(obstacles);
-  queue_.reserve(obstacles * (contact::max_impacts + 1));
+  queue_.reserve(obstacles);
   of_paths_.first.reserve(path_count + 1);
   of_paths_.touches.reserve(2 * obstacles);
   for (auto* list : {&active_, &together_, &changed_}) list->reserve(path_count);
@@ -23,8 +23,8 @@ void TouchSimulation::reserve_alone(std::size_t obstacles) {
 
 void TouchSimulation::run_alone(const SurfacePlan& plan, double h) {
   begin(plan, h);
-  for (long impacts = 0; advance(); ++impacts) {
-    if (impacts >= contact::max_impacts) continue;
+  // after each impact, the rest of the substep counts as one of its own
+  while (advance()) {
     const double left = h_ - time_;
     start_ += time_;
     for (PointPath& path : paths) path.advance(time_);

@@ -109,13 +109,13 @@ void TouchSimulation::begin(const SurfacePlan& plan, double h) {
   start_ = 0.0;
   first_touch_ = first_impact_ = never;
   counts_ = {};
+  impacts_ = 0;
   start(h);
 }
 
 void TouchSimulation::start(double h) {
   h_ = h;
   time_ = 0.0;
-  impacts_ = 0;
   clear_changed();
   loads_.now.clear();
   separation_.clear();
@@ -287,7 +287,7 @@ void TouchSimulation::clear_changed() {
 void TouchSimulation::predict(Touch& touch) const {
   ++counts_.tests;
   touch.time = never;
-  touch.waits = touch.is_near && impacts_ > 0;
+  touch.waits = !is_alone() && touch.is_near && impacts_ > 0;
   if (touch.is_at_rest) return;
   const Parabola path = relative_path(touch, time_);
   const Collider& shape = shape_of(touch);
@@ -326,7 +326,7 @@ bool TouchSimulation::advance() {
   ++impacts_;
   find_impacts_with(queue_.front().touch);
   respond();
-  predict_changed();
+  if (!is_alone()) predict_changed();
   return true;
 }
 

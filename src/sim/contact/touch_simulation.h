@@ -178,7 +178,7 @@ class TouchSimulation {
   double rest_speed(const Touch& touch, const Gap& gap, const Parabola& path) const;
   double ignored_speed(const Touch& touch) const;
   bool is_alone() const { return first_obstacle_ == 1; }  // there is one point
-  long max_impacts() const { return contact::max_impacts * static_cast<long>(paths.size()); }
+  long max_impacts() const { return contact::max_impacts * (is_alone() ? 1 : static_cast<long>(paths.size())); }
 
   double h_ = 0.0, time_ = 0.0, first_touch_ = never, first_impact_ = never;  // [s]
   double start_ = 0.0;  // [s], of what counts as the substep, since that of the substep
