@@ -245,8 +245,8 @@ class SelectTool : public Tool {
       if (const auto hit = context.collider_at(pointer.at)) found.collider = hit->collider;
     if (context.is_drag(pressed_at_, pointer.at))
       found = select_with_springs_between(context.system(), points_within(context.snapshot(), context.view_transform(), outline()));
-    if (found.empty() && (pointer.modifiers.shift || context.selection.empty()))
-      context.notice = context.is_drag(pressed_at_, pointer.at) ? "There is no point in this area" : "There is nothing here to select";
+    // a click into empty space is how fields are left and selections are dropped: it needs no message
+    if (found.empty() && context.is_drag(pressed_at_, pointer.at)) context.notice = "There is no point in this area";
     if (pointer.modifiers.shift)
       context.selection.add(found);
     else
