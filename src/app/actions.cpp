@@ -174,7 +174,7 @@ void App::open_search() {
 }
 
 void App::show_or_hide_plots() {
-  panels_.table.is_shown = false;
+  panels_.plots.table.is_shown = false;
   panels_.plots.is_shown = !panels_.plots.is_shown;
   if (!panels_.plots.is_shown) return;
   const double width = tool_context_.layout.menu.width, height = tool_context_.layout.status.y + tool_context_.layout.status.height;
@@ -184,7 +184,7 @@ void App::show_or_hide_plots() {
 
 void App::show_or_hide_table() {
   panels_.plots.is_shown = false;
-  panels_.table.is_shown = !panels_.table.is_shown;
+  panels_.plots.table.is_shown = !panels_.plots.table.is_shown;
 }
 
 void App::show_or_hide_at_left(bool* panel) {

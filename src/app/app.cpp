@@ -43,7 +43,7 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const H
 void App::resize(const glm::dvec2& size, double scale) {
   tool_context_.layout = lay_out(size.x, size.y, scale,
                                  {.panels = panels_.shown.panels,
-                                  .plots = panels_.plots.is_shown || panels_.table.is_shown,
+                                  .plots = panels_.plots.is_shown || panels_.plots.table.is_shown,
                                   .strain_legend = shows_strain_colors(tool_context_.system(), panels_.view)});
   tool_context_.size = {tool_context_.layout.scene.width, tool_context_.layout.scene.height};
   tool_context_.scale = scale;

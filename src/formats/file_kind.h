@@ -54,7 +54,7 @@ struct FileKind {
   std::string_view label = {};        // in the export dialog
   std::string_view description = {};  // one sentence
   bool has_quantities = false;        // the dialog asks for quantities
-  bool has_opacity = false;           // of each pixel
+  bool has_alpha = false;             // its pictures may have an alpha channel
   bool is_flat_only = false;          // only for 2-D scenes
   bool is_mesh = false;               // can be placed as a part, of any size
 };

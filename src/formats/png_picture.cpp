@@ -90,17 +90,17 @@ constinit const FileKind png_file{.extension = ".png",
                                   .source = ExportSource::Picture,
                                   .label = "Picture",
                                   .description = "The current view of the scene, or the window.",
-                                  .has_opacity = true};
+                                  .has_alpha = true};
 
 namespace {
 
-constexpr FileKind film_kind(std::string_view extension, std::string_view label, std::string_view description, bool has_opacity = false) {
+constexpr FileKind film_kind(std::string_view extension, std::string_view label, std::string_view description, bool has_alpha = false) {
   return {.extension = extension,
           .title = label,
           .source = ExportSource::Film,
           .label = label,
           .description = description,
-          .has_opacity = has_opacity};
+          .has_alpha = has_alpha};
 }
 
 }  // namespace

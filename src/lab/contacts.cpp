@@ -10,10 +10,10 @@
 namespace hooke {
 namespace {
 
-// What a point may touch: a face, a spring with its second point twice, or a point three times. Unknown: a point that touched something.
+// What a point may touch: a face, a spring with its second point twice, or a point three times.
 struct Feature {
   Contact::Partner kind;
-  Index number;  // of a contact, if unknown
+  Index number;  // in its list
   std::array<Index, 3> points;
 };
 
@@ -44,7 +44,7 @@ std::vector<Feature> list_features(const System& system, const SurfacePlan& surf
 }
 
 void compare(const Scene& scene, const PairPlan& pairs, const Feature& feature, Search& search) {
-  if (feature.kind == Contact::Partner::Unknown || std::ranges::count(feature.points, search.point) > 0) return;
+  if (std::ranges::count(feature.points, search.point) > 0) return;
   const bool is_point = feature.kind == Contact::Partner::Point;
   const auto [first, second] = std::minmax(search.point, feature.number);
   if (is_point && pairs.excludes(first, second)) return;
@@ -56,35 +56,34 @@ void compare(const Scene& scene, const PairPlan& pairs, const Feature& feature, 
   if (distance > 0.0) search.note(distance - radii, feature.kind, feature.number, apart / distance);
 }
 
-void compare_close(const Lab& lab, std::vector<Search>& searches) {
-  const Scene& scene = lab.scene();
-  const std::vector<Vec3>& x = scene.state.position;
-  std::vector<Feature> features = list_features(scene.system, lab.plan().surface);
-  for (Index n = 0; const Search& each : searches)
-    features.push_back({Contact::Partner::Unknown, n++, {each.point, each.point, each.point}});
+void compare_near(const Lab& lab, std::vector<Search>& searches) {
+  const System& system = lab.scene().system;
+  const std::vector<Vec3>& x = lab.scene().state.position;
+  const std::vector<Feature> features = list_features(system, lab.plan().surface);
+  const auto box_of = [&](const Feature& feature) {
+    SurfaceBox box{x[feature.points[0]], x[feature.points[0]]};
+    for (const Index i : feature.points) box.include({x[i], x[i]});
+    return box;
+  };
   std::vector<Vec3> places;
   double size = 0.0, radius = 0.0;
   for (const Feature& feature : features) {
-    places.push_back(x[feature.points[0]]);
-    for (const Index i : feature.points) size = std::max(size, glm::length(x[i] - places.back()));
+    const SurfaceBox box = box_of(feature);
+    places.push_back(0.5 * (box.min + box.max));
+    size = std::max(size, glm::length(box.max - box.min));
   }
-  for (const Point& point : scene.system.points()) radius = std::max(radius, point.radius);
+  for (const Point& point : system.points()) radius = std::max(radius, point.radius);
   BoxTree tree;
   tree.build(places);
-  const std::span<const Index> order = tree.order();
   tree.fit([&](const BoxRange& items) {
-    SurfaceBox box{places[order[items.begin]], places[order[items.begin]]};
-    for (Index k = items.begin; k < items.end; ++k) box.include({places[order[k]], places[order[k]]});
+    SurfaceBox box = box_of(features[tree.order()[items.begin]]);
+    for (Index k = items.begin; k < items.end; ++k) box.include(box_of(features[tree.order()[k]]));
     return box;
   });
-  const double reach = 2.0 * (size + radius + scene.system.contact.thickness);
-  tree.visit_close(reach, [&](const BoxTree::Node& first, const BoxTree::Node& second) {
-    for (const auto& [from, to] : {std::pair{first.items, second.items}, std::pair{second.items, first.items}})
-      for (Index i = from.begin; i < from.end; ++i)
-        for (Index k = to.begin; k < to.end && features[order[i]].kind == Contact::Partner::Unknown; ++k)
-          compare(scene, lab.plan().pairs, features[order[k]], searches[features[order[i]].number]);
-    return true;
-  });
+  // what touched may have moved on since, by the size of a feature
+  const double reach = size + 2.0 * radius + system.contact.thickness;
+  for (Search& search : searches)
+    tree.visit_near(x[search.point], reach, [&](Index n) { compare(lab.scene(), lab.plan().pairs, features[n], search); });
 }
 
 }  // namespace
@@ -103,7 +102,7 @@ std::vector<Contact> find_contacts(const Lab& lab) {
       search.note(gap.distance, Contact::Partner::Collider, static_cast<Index>(c), gap.normal);
     }
   }
-  if (!searches.empty()) compare_close(lab, searches);
+  if (!searches.empty()) compare_near(lab, searches);
   return {searches.begin(), searches.end()};
 }
 

@@ -30,7 +30,7 @@ DockedPanel::DockedPanel(const char* name, const Dock& dock, Panels& panels) : d
   ImGui::SetNextWindowPos(corner(dock.place));
   ImGui::SetNextWindowSizeConstraints({size.x, dock.is_over_scene ? 0.0f : size.y}, size);
   ImGui::Begin(name, nullptr, front_box | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  panels.floating.push_back(current_window());
+  panels.shown.floating.push_back(current_window());
 }
 
 DockedPanel::~DockedPanel() {

@@ -19,7 +19,7 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
   int& flags = ImGui::GetIO().ConfigFlags;
   flags = moves_focus ? flags | ImGuiConfigFlags_NavEnableKeyboard : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
   if (!ImGui::IsAnyItemActive()) panels.field.edit_in_progress = false, panels.field.tuned_from.reset();
-  panels.floating.clear();
+  panels.shown.floating.clear();
   panels.plots.time_under_mouse = std::exchange(panels.plots.next_time_under_mouse, std::nullopt);
   build_menu(input, panels, requests);
   build_status_bar(input);
@@ -30,7 +30,7 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
       build_toolbar(input, requests);
       build_side(input, panels, requests);
     }
-    panels.table.is_shown ? build_part_table(input, panels, requests) : build_plots(input, panels, requests);
+    panels.plots.table.is_shown ? build_part_table(input, panels, requests) : build_plots(input, panels, requests);
     build_timeline(input, panels, requests);
     build_overlays(input, panels, requests);
     build_axes(input, panels, requests);
@@ -63,7 +63,7 @@ bool panels_cover(const Panels& panels, const Layout& layout, double x, double y
   if (!layout.scene.contains(x, y)) return true;
   if (panels.dialog.kind != Dialog::Kind::None || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
     return true;
-  return std::ranges::any_of(panels.floating, [&](const Rect& panel) { return panel.contains(x, y); });
+  return std::ranges::any_of(panels.shown.floating, [&](const Rect& panel) { return panel.contains(x, y); });
 }
 
 }  // namespace hooke

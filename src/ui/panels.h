@@ -188,7 +188,18 @@ struct SpectrumOfPlots {
   TraceTable table;
 };
 
-// What the plots show.
+struct TimelineState {
+  bool scrub_in_progress = false;  // the scrubber is being dragged
+  double run_to = 10.0;            // [s], last time typed
+};
+
+// The table of points or springs, in place of the plots.
+struct PartTable {
+  bool is_shown = false, of_springs = false;
+  std::vector<Index> order;  // the points or springs, row by row
+};
+
+// What the plots, the table and the timeline below the scene show.
 struct PlotView {
   bool is_shown = false;
   double seconds = 1e9;         // [s], maximum time span
@@ -199,12 +210,8 @@ struct PlotView {
   std::array<std::optional<double>, 2> cursors;  // [s], A and B
   // [s], over a plot or the timeline, which both mark it; and the one that the next frame marks
   std::optional<double> time_under_mouse, next_time_under_mouse;
-};
-
-// The table of points or springs, in place of the plots.
-struct PartTable {
-  bool is_shown = false, of_springs = false;
-  std::vector<Index> order;  // the points or springs, row by row
+  PartTable table;
+  TimelineState timeline;
 };
 
 // The menus of the menu bar, and open lists.
@@ -238,15 +245,11 @@ struct SideState {
   AffectedPartsCache affected_parts;
 };
 
-struct TimelineState {
-  bool scrub_in_progress = false;  // the scrubber is being dragged
-  double run_to = 10.0;            // [s], last time typed
-};
-
 struct ShownPanels {
   bool panels = true;  // all but the menu and status bars
   bool keys = false, accuracy = false, comparison = false, result_check = false;
   bool takes_fastest = false;  // when the comparison in progress is done
+  std::vector<Rect> floating;  // over the scene in the last frame
 };
 
 // The time per frame and phase, and how it was in the last seconds [ms].
@@ -272,10 +275,7 @@ struct Panels {
   SideState side;
   Ghosts ghosts;
   PlotView plots;
-  PartTable table;
-  TimelineState timeline;
   TimesPanel times;
-  std::vector<Rect> floating;  // panels over the scene in the last frame
 
   // Of the panels at the left edge of the scene only one is shown.
   void show_at_left(bool* panel) {

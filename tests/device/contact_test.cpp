@@ -1,12 +1,16 @@
 // Colliders on the device: the contact of the processor, point by point.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <string>
 
 #include "sim/methods/rows.h"
 #include "support/counted_device.h"
+#include "support/random_scene.h"
 #include "support/run_lab.h"
 
 namespace hooke {
@@ -71,6 +75,70 @@ TEST(GpuContact, AgreesWithTheProcessorOverAThousandSteps) {
       EXPECT_LT(free, 1e-9) << each.name << ", " << method->id;
       EXPECT_LT(sheet, 1e-9) << each.name << ", " << method->id;
     }
+}
+
+// Three numbers, each up to `max`.
+std::string random_vector(Random& random, double max) {
+  std::string text;
+  for (int c = 0; c < 3; ++c) text += (c == 0 ? "[" : ", ") + std::to_string(random.uniform(-max, max));
+  return text + "]";
+}
+
+std::string random_collider(Random& random) {
+  const auto number = [&](double min, double max) { return std::to_string(random.uniform(min, max)); };
+  std::string text;
+  switch (random.below(3)) {
+    case 0:
+      text = R"({"type": "plane", "point": [0, )" + number(-0.3, 0.0) + R"(, 0], "normal": [)" + number(-0.8, 0.8) + ", 1, " +
+             number(-0.8, 0.8) + "]";
+      break;
+    case 1:
+      text = R"({"type": "sphere", "center": [)" + number(0.0, 1.0) + ", " + number(-0.6, -0.2) + ", " + number(0.0, 1.0) +
+             R"(], "radius": )" + number(0.1, 0.4);
+      break;
+    default:
+      text = R"({"type": "box", "min": [)" + number(-0.5, 0.4) + ", -1, " + number(-0.5, 0.4) + R"(], "max": [)" + number(0.5, 1.0) + ", " +
+             number(-0.4, 0.0) + ", " + number(0.5, 1.0) + "]";
+  }
+  if (random.one_in(2)) text += R"(, "restitution": )" + number(0.05, 0.9);
+  if (random.one_in(2)) text += R"(, "friction": )" + number(0.05, 1.2);
+  if (random.one_in(4)) text += R"(, "oscillate": )" + random_vector(random, 0.06) + R"(, "frequency": )" + number(0.5, 4.0);
+  if (random.one_in(5)) text += R"(, "belt": )" + random_vector(random, 0.5);
+  return text + "}";
+}
+
+// Points that fall between up to three colliders, where a run on the processor from 2e-15 m beside shows what the scene itself makes of
+// rounding. HOOKE_SEED tries other scenes, HOOKE_SCENES more of them.
+TEST(GpuContact, AgreesWithTheProcessorAmongRandomColliders) {
+  const auto given = [](const char* name, long otherwise) {
+    const char* text = std::getenv(name);
+    return text != nullptr ? std::strtol(text, nullptr, 10) : otherwise;
+  };
+  const long first = given("HOOKE_SEED", 1100), scenes = given("HOOKE_SCENES", 24);
+  for (long seed = first; seed < first + scenes; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    std::string text = R"({"hooke": 1, "simulation": {"substeps": 25}, "points": [)";
+    for (int i = 0; i < 8; ++i)
+      text += (i == 0 ? "" : ", ") + std::string(R"({"position": [)") + std::to_string(random.uniform(0.0, 1.0)) + ", " +
+              std::to_string(random.uniform(0.05, 0.5)) + ", " + std::to_string(random.uniform(0.0, 1.0)) + R"(], "velocity": )" +
+              random_vector(random, 1.0) + R"(, "radius": )" + std::to_string(random.one_in(2) ? 0.001 : random.uniform(0.01, 0.12)) + "}";
+    text += R"(], "colliders": [)" + random_collider(random);
+    for (Index more = random.below(3); more > 0; --more) text += ", " + random_collider(random);
+    Scene scene = parse(text + "]}");
+    const std::array methods{&symplectic_euler, &velocity_verlet, &velocity_verlet_explicit};
+    scene.settings.integrator = random.one_of(methods);
+    const State expected = run_on(scene, false, 40), computed = run_on(scene, true, 40);
+    for (Vec3& x : scene.state.position) x += Vec3(2e-15);
+    const State beside = run_on(scene, false, 40);
+    double most = 0.0, of_rounding = 0.0;
+    for (std::size_t i = 0; i < expected.position.size(); ++i) {
+      most = std::max(most, glm::distance(expected.position[i], computed.position[i]));
+      of_rounding = std::max(of_rounding, glm::distance(expected.position[i], beside.position[i]));
+    }
+    if (std::getenv("HOOKE_PRINT") != nullptr) std::printf("seed %ld: %.2g m, rounding %.2g m\n", seed, most, of_rounding);
+    // each of a thousand steps rounds
+    EXPECT_LT(most, std::max(1e-9, 1e3 * of_rounding)) << "seed " << seed << ", " << scene.settings.integrator->id << "\n" << text;
+  }
 }
 
 }  // namespace

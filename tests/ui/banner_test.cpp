@@ -40,7 +40,7 @@ void run_until_it_stops(GuiFixture& gui) {
 
 void click_remedy(GuiFixture& gui) {
   gui.frames(3);
-  const Rect banner = gui.app().panels().floating.at(0);
+  const Rect banner = gui.app().panels().shown.floating.at(0);
   EXPECT_TRUE(panels_cover(gui.app().panels(), gui.app().layout(), banner.x + 5.0, banner.y + 5.0));
   gui.click(gui.find("stopped", {"###remedy"}));
   EXPECT_TRUE(gui.status().diagnosis.message.empty());

@@ -46,7 +46,7 @@ TEST(PartTable, ShowsPointsAndSelectsThem) {
   EXPECT_EQ(gui.app().selection().points.size(), 1u);
   gui.key(letter('P'));
   EXPECT_TRUE(gui.app().panels().plots.is_shown);
-  EXPECT_FALSE(gui.app().panels().table.is_shown) << "plots have the same place";
+  EXPECT_FALSE(gui.app().panels().plots.table.is_shown) << "plots have the same place";
 }
 
 TEST(PartTable, IsSortedByTheStiffnessOfSprings) {
@@ -54,7 +54,7 @@ TEST(PartTable, IsSortedByTheStiffnessOfSprings) {
   show_table(gui);
   gui.click(gui.find("table", {"parts", "Springs"}));
   gui.frames(3);
-  PartTable& table = gui.app().panels().table;
+  PartTable& table = gui.app().panels().plots.table;
   EXPECT_TRUE(table.of_springs);
   // sorted by the number at first
   EXPECT_EQ(table.order, (std::vector<Index>{0, 1}));

@@ -47,7 +47,7 @@ void Exporter::start() {
   state.is_shown = false;
   if (kind.source == ExportSource::Picture) return captures_.take_picture(file_, state.picture);
   PictureOptions options = state.picture;
-  options.transparent = options.transparent && kind.has_opacity;
+  options.transparent = options.transparent && kind.has_alpha;
   captures_.start_film(file_, options);
   context_.lab.submit(SetRunning{true});
 }

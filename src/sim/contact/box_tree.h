@@ -31,6 +31,9 @@ class BoxTree {
   // false.
   template <class Visit>
   void visit_close(double reach, const Visit& visit) const;
+  // Calls visit(item) for the items of the leaves whose boxes are within `reach` [m] of a place.
+  template <class Visit>
+  void visit_near(const Vec3& place, double reach, const Visit& visit) const;
 
  private:
   void split(Index first, Index end);
@@ -92,6 +95,22 @@ void BoxTree::visit_close(double reach, const Visit& visit) const {
       }
     }
     if (!visit(first, second)) return;
+  }
+}
+
+template <class Visit>
+void BoxTree::visit_near(const Vec3& place, double reach, const Visit& visit) const {
+  if (nodes_.empty()) return;
+  // at most one for each level
+  std::array<Index, 64> open{0};
+  for (std::size_t count = 1; count > 0;) {
+    const Index n = open[--count];
+    const Node& node = nodes_[n];
+    if (square_of_distance(node.box, {place, place}) > reach * reach) continue;
+    if (node.second != no_index)
+      open[count++] = node.second, open[count++] = n + 1;
+    else
+      for (Index k = node.items.begin; k < node.items.end; ++k) visit(order_[k]);
   }
 }
 

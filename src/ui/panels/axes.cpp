@@ -65,7 +65,7 @@ void build_axes(const PanelInput& input, Panels& panels, Requests& requests) {
   if (input.status.snapshot->system->dimensions != 3 || !fits) return;
   const Rect place{scene.x + scene.width - units(side) - units(8.0), scene.y + units(8.0), units(side), units(side)};
   begin_panel("axes", place, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  panels.floating.push_back(place);
+  panels.shown.floating.push_back(place);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 center{static_cast<float>(place.x + 0.5 * place.width), static_cast<float>(place.y + 0.5 * place.height)};

@@ -64,7 +64,7 @@ void picture_rows(ExportState& export_state, const PanelInput& input, Panels& pa
   PictureOptions& picture = export_state.picture;
   ImGui::Checkbox("The whole window with its panels", &picture.panels);
   if (picture.panels) return;
-  if (kind.has_opacity) ImGui::Checkbox("Transparent background", &picture.transparent);
+  if (kind.has_alpha) ImGui::Checkbox("Transparent background", &picture.transparent);
   if (picture.width == 0) {
     const double pixels_per_unit = 1.0 / ImGui::GetIO().FontGlobalScale;
     picture.width = static_cast<int>(pixels_per_unit * input.layout.scene.width);
@@ -115,7 +115,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::SetNextWindowPos({middle_for(scene, wide), static_cast<float>(page.y + 0.5 * page.height)}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, static_cast<float>(page.height)});
   begin_front_box("export", {units(20.0), units(16.0)});
-  panels.floating.push_back(current_window());
+  panels.shown.floating.push_back(current_window());
 
   strong_text("Export");
   begin_tab_stops();

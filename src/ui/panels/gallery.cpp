@@ -123,7 +123,7 @@ void build_gallery(const PanelInput& input, Panels& panels, Requests& requests) 
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::panel);
   begin_panel("gallery", page);
   ImGui::PopStyleColor();
-  panels.floating.push_back(page);
+  panels.shown.floating.push_back(page);
 
   ImGui::Dummy({0.0f, units(6.0)});
   strong_text("Gallery");

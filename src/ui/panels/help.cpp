@@ -85,7 +85,7 @@ void build_keys(const PanelInput& input, Panels& panels) {
   ImGui::SetNextWindowPos({0.5f * display.x, middle}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, static_cast<float>(page.height)});
   begin_front_box("keys", {units(24.0), units(14.0)});
-  panels.floating.push_back(current_window());
+  panels.shown.floating.push_back(current_window());
   ImGui::Columns(columns, "columns", false);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, units(2.5)});
   build_columns(columns);

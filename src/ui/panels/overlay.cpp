@@ -290,7 +290,7 @@ void begin_banner(const Banner& banner, const Rect& scene, double down, Panels& 
   ImGui::PushStyleColor(ImGuiCol_WindowBg, banner.ground);
   ImGui::PushStyleColor(ImGuiCol_Button, palette::pressed);
   ImGui::Begin(banner.name, nullptr, fixed_panel);
-  panels.floating.push_back(current_window());
+  panels.shown.floating.push_back(current_window());
 
   const ImVec2 min = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImGui::PushClipRect(min, {min.x + size.x, min.y + size.y}, false);

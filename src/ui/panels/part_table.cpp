@@ -129,7 +129,7 @@ void build_table(std::span<const Column> columns, bool springs, const PanelInput
   ImGui::TableSetupScrollFreeze(0, 1);
   for (const Column& column : columns) ImGui::TableSetupColumn(column.label);
   ImGui::TableHeadersRow();
-  PartTable& table = panels.table;
+  PartTable& table = panels.plots.table;
   if (std::exchange(table.of_springs, springs) != springs) table.order.clear();
   sort(table, columns, static_cast<std::size_t>(springs ? now.system->spring_count() : now.system->point_count()), now);
   ImGuiListClipper clipper;

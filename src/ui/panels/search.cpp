@@ -90,7 +90,7 @@ void build_search(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::SetNextWindowPos({middle_for(scene, wide), static_cast<float>(scene.y) + units(24.0)}, ImGuiCond_Always, {0.5f, 0.0f});
   ImGui::SetNextWindowSize({wide, 0.0f});
   begin_front_box("search", {units(12.0), units(12.0)});
-  panels.floating.push_back(current_window());
+  panels.shown.floating.push_back(current_window());
 
   search_field(search);
   std::vector<SearchResult> found = find_results(input, search.typed);

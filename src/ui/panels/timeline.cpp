@@ -47,9 +47,9 @@ void scrubber(const PanelInput& input, const Track& track, Panels& panels, Reque
     const double time = track.time_at(ImGui::GetIO().MousePos.x);
     // slightly later, so that rounding does not select the previous frame
     const double target = time + 1e-3 / status.snapshot->settings.frame_rate;
-    requests.emplace_back(Scrub{target, std::exchange(panels.timeline.scrub_in_progress, true)});
+    requests.emplace_back(Scrub{target, std::exchange(panels.plots.timeline.scrub_in_progress, true)});
   } else {
-    panels.timeline.scrub_in_progress = false;
+    panels.plots.timeline.scrub_in_progress = false;
     if (has_past && ImGui::IsItemHovered()) {
       panels.plots.next_time_under_mouse = track.time_at(ImGui::GetIO().MousePos.x);
       tooltip("Go to " + seconds(*panels.plots.next_time_under_mouse));
@@ -81,13 +81,14 @@ void run_to(const PanelInput& input, float x, float width, Panels& panels, Reque
   ImGui::SetCursorScreenPos({x + units(48.0), y});
   ImGui::SetNextItemWidth(width - units(48.0));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {units(6.0), units(2.0)});
-  const bool entered = ImGui::InputDouble("##run_to", &panels.timeline.run_to, 0.0, 0.0, "%.6g s", ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputDouble("##run_to", &panels.plots.timeline.run_to, 0.0, 0.0, "%.6g s", ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::PopStyleVar();
   tooltip("Simulation time: Enter runs to it as fast as possible, or goes back to it");
-  if (!entered || !std::isfinite(panels.timeline.run_to)) return;
-  requests.emplace_back(Control(RunTo{panels.timeline.run_to}));
+  if (!entered || !std::isfinite(panels.plots.timeline.run_to)) return;
+  requests.emplace_back(Control(RunTo{panels.plots.timeline.run_to}));
   // older frames are not kept
-  if (panels.timeline.run_to < status.timeline.start)
+  if (panels.plots.timeline.run_to < status.timeline.start)
     panels.show_toast("The oldest recorded frame is at " + seconds(status.timeline.start));
 }
 
