@@ -60,6 +60,7 @@ void compare_near(const Lab& lab, std::vector<Search>& searches) {
   const System& system = lab.scene().system;
   const std::vector<Vec3>& x = lab.scene().state.position;
   const std::vector<Feature> features = list_features(system, lab.plan().surface);
+  if (features.empty()) return;
   const auto box_of = [&](const Feature& feature) {
     SurfaceBox box{x[feature.points[0]], x[feature.points[0]]};
     for (const Index i : feature.points) box.include({x[i], x[i]});
@@ -102,7 +103,7 @@ std::vector<Contact> find_contacts(const Lab& lab) {
       search.note(gap.distance, Contact::Partner::Collider, static_cast<Index>(c), gap.normal);
     }
   }
-  if (!searches.empty()) compare_near(lab, searches);
+  compare_near(lab, searches);
   return {searches.begin(), searches.end()};
 }
 
