@@ -40,7 +40,7 @@ layout(std430, binding = 6) buffer Frame {
   real4 acceleration;  // [m/s^2], of gravity, and of wind by drag
   real4 pull;          // weights of the pulled points; w: stiffness [N/m]
   real4 air;           // normal and tangential coefficient of wind [kg/m^3]
-  real4 substeps;      // h [s]; the velocity lag of the method under friction [1]; 1: a collider oscillates
+  real4 substeps;      // h [s]; the velocity lag of the method under friction [1]; 1: a collider oscillates; drag [1/s]
   real4 pull_velocity;  // [m/s], of the hand that pulls
   real4 held;           // weight of the point that the hand holds [N]; w: its index, -1: none
   Pass passes[3];

@@ -201,7 +201,7 @@ bool solve_resting(int c, real h, real radius, Free path, out real3 x, out real3
 
 // The path of the point: a parabola from `time` on, with the correction of the method's path in v.
 real3 px, pv, pa, correction, free_correction, free_acceleration, start_x, start_v;  // start_v: without what contacts at rest do without work
-real path_time, base, left, velocity_change, radius_of_point;  // base: of path times, since the start of the substep
+real path_time, base, left, velocity_change, radius_of_point, work_of_forces, pushed;  // base: of path times, since the start of the substep
 bool is_changed, is_listed;
 real3 velocity;  // that impulses change
 
@@ -467,6 +467,11 @@ void respond(int earliest, real t, bool may_rebound) {
   if (!any) return;
   velocity = pv;
   solve_impulses(false, 1, t, 0.1 * solver_round_off * max(fastest, norm(pv)));
+  // drag changes with the velocity (obstacle.h, change_of_drag)
+  real passing = substeps.w * (left - t);
+  work_of_forces += dot(free_acceleration, px - start_x);
+  start_x = px;
+  free_acceleration -= substeps.w / (1.0 + 0.5 * passing + passing * passing / 12.0) * (velocity - pv);
   pv = velocity;
   note_change();
   // without a rebound, the correction of the method's path must not separate them either
@@ -505,6 +510,8 @@ void simulate(real h, Free path) {
   leave_colliders(0.0);
   start_x = px;
   is_changed = px != path.x0;
+  pushed = -dot(free_acceleration, start_x - path.x0);
+  work_of_forces = 0.0;
 
   for (int impacts = 0;; ++impacts) {
     is_listed = false;
@@ -560,14 +567,14 @@ void main() {
     }
   if (count == 0 || !(norm(path.x0) < never && norm(path.v1) < never)) return;
   real3 x, v;
-  real work, pushed = 0.0;
+  real work;
+  pushed = 0.0;
   if (count != 1 || !solve_resting(only, h, radius_of_point, path, x, v, work)) {
     simulate(h, path);
     if (!is_changed) return;
     x = px;
     v = pv - correction;
-    work = 0.5 * (dot(pv, pv) - dot(start_v, start_v)) - dot(free_acceleration, px - start_x);
-    pushed = -dot(free_acceleration, start_x - path.x0);
+    work = 0.5 * (dot(pv, pv) - dot(start_v, start_v)) - work_of_forces - dot(free_acceleration, px - start_x);
   }
 #if FLAT
   x.z = v.z = 0.0;

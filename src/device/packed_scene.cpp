@@ -140,7 +140,8 @@ std::vector<double> frame_numbers(const Plan& plan, const FrameSteps& steps) {
   append(numbers, weights, plan.hand.pull ? plan.hand.pull->stiffness : 0.0);
   append(numbers, plan.forces.empty() ? Vec3(0.0) : Vec3(plan.forces[0].values[3], plan.forces[0].values[4], 0.0));
   append(numbers,
-         {steps.h, steps.method.is_symplectic() ? steps.method.velocity_lag : 0.0, std::isfinite(plan.collider_paths.resolving_step)});
+         {steps.h, steps.method.is_symplectic() ? steps.method.velocity_lag : 0.0, std::isfinite(plan.collider_paths.resolving_step)},
+         plan.drag);
   const Kick<double> whole = kick_over(plan.drag, steps.h), half = kick_over(plan.drag, 0.5 * steps.h);
   append(numbers, plan.hand.pull ? plan.hand.pull->velocity : Vec3(0.0));
   append(numbers, plan.hand.held_mass * plan.gravity, plan.hand.held.value_or(no_index));

@@ -177,8 +177,9 @@ Measurement measure(const System& system, const State& state, const Accuracy* ac
   measurement.accuracy = accuracy;
   for (const Spring& spring : system.springs()) {
     const double spring_strain = strain(system, state, spring);
-    measurement.min_strain = std::min(measurement.min_strain, spring_strain);
-    measurement.largest_strain = std::max(measurement.largest_strain, spring_strain);
+    const bool is_first = spring.id == system.springs()[0].id;
+    measurement.min_strain = is_first ? spring_strain : std::min(measurement.min_strain, spring_strain);
+    measurement.largest_strain = is_first ? spring_strain : std::max(measurement.largest_strain, spring_strain);
   }
   return measurement;
 }

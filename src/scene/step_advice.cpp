@@ -94,14 +94,15 @@ std::optional<std::string> step_warning(const System& system, const State& state
 }
 
 std::optional<std::string> oscillation_warning(const System& system, const Settings& settings) {
-  const auto [fastest, step] = fastest_oscillation(system);
+  const auto [is_muscle, index, step] = fastest_oscillation(system);
   const double needed = std::ceil(1.0 / (settings.frame_rate * step) * (1.0 - 1e-9));
   const int available = is_automatic(settings) ? max_automatic_substeps : settings.substeps;
   const bool adapts = settings.integrator->stability == Stability::Adaptive && !is_automatic(settings);
   if (adapts || needed <= available) return std::nullopt;
-  const std::string value = number_text(system.colliders[fastest].path.frequency);
+  const std::string field = (is_muscle ? "springs[" : "colliders[") + std::to_string(index) + (is_muscle ? "].muscle" : "]");
+  const double frequency = is_muscle ? system.springs()[index].law->frequency : system.colliders[index].path.frequency;
   const std::string text =
-      "colliders[" + std::to_string(fastest) + "].frequency: " + value + ": is not resolved by " + count_substeps(available) + " per frame";
+      field + ".frequency: " + number_text(frequency) + ": is not resolved by " + count_substeps(available) + " per frame";
   if (is_automatic(settings)) return text + ", the maximum of auto";
   if (needed > max_substeps) return text + ", nor by " + std::to_string(max_substeps);
   const int recommended = static_cast<int>(needed);

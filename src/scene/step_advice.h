@@ -24,7 +24,8 @@ Advice suggest_stepping(const StepLimits& limits, const Settings& settings);
 // force: "FIELD: VALUE: ...", with names of the scene file.
 std::optional<std::string> step_warning(const System& system, const State& state, const Settings& settings);
 
-// A warning about the fastest of the colliders whose oscillations are not resolved by the steps: "colliders[0].frequency: 240: ...".
+// A warning about the fastest of the oscillations of colliders and muscles that the steps do not resolve: "colliders[0].frequency: 240:
+// ...".
 std::optional<std::string> oscillation_warning(const System& system, const Settings& settings);
 
 // A warning about a tolerance or a budget that the method does not use: "FIELD: VALUE: ...".

@@ -59,7 +59,7 @@ class Benchmark {
   const Problem& problem() const { return problem_; }
   const Plan& plan() const { return plan_; }
   const Spectrum& spectrum() const { return plan_.spectrum; }
-  double resolving_step() const { return plan_.collider_paths.resolving_step; }  // [s], of the colliders (plan.h)
+  double resolving_step() const { return plan_.resolving_step(); }  // [s], of colliders and muscles (plan.h)
   // [s]; for an adaptive method the longest step it may take.
   double step(const Setting& setting) const { return problem_.seconds / snapshot_count / frames_ / setting.steps; }
   // Half the step; a tenth of the tolerance.

@@ -74,7 +74,7 @@ class Frames {
 
 // The fewest that are stable and resolve the oscillations of the colliders; none if the latter are too many.
 std::optional<int> min_substeps(const Plan& plan, const Integrator& method, double frame_rate) {
-  const StepLimits limits(plan.spectrum, {.oscillation = plan.collider_paths.resolving_step});
+  const StepLimits limits(plan.spectrum, {.oscillation = plan.resolving_step()});
   const auto resolving = limits.resolving_substeps(method, frame_rate);
   if (!resolving) return std::nullopt;
   return std::max(*resolving, limits.stable_substeps(method, frame_rate).value_or(1));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 
 #include "sim/contact/gap.h"
@@ -70,6 +71,35 @@ TEST_P(Bounce, MeetsTheOrderOfTheMethodAfterTheThirdImpact) {
     expect_order(error, 2000, 1.0);
   } else {
     EXPECT_LT(error(97), 1e-9);
+  }
+}
+
+// y(t) = y + v t for free fall with drag c: v' = -g - c v.
+struct Falling {
+  double drag, height, velocity;
+  double v(double t) const { return -g / drag + (velocity + g / drag) * std::exp(-drag * t); }
+  double y(double t) const { return height - g / drag * t - (velocity + g / drag) * std::expm1(-drag * t) / drag; }
+};
+
+// Bounces under drag, from random heights: HOOKE_SEED sets the sequence.
+TEST(Bounce, UnderDragIsOfSecondOrder) {
+  const char* seed = std::getenv("HOOKE_SEED");
+  Random random(seed != nullptr ? std::strtoull(seed, nullptr, 10) : 1);
+  for (int i = 0; i < 50; ++i) {
+    const double drag = random.uniform(0.2, 10.0), height = random.uniform(0.05, 1.0), e = random.uniform(0.3, 1.0);
+    const Falling fall{drag, height, 0.0};
+    double before = 0.0, after = 5.0;
+    for (int k = 0; k < 100; ++k) (fall.y(0.5 * (before + after)) < 0.0 ? after : before) = 0.5 * (before + after);
+    const Falling rise{drag, 0.0, -e * fall.v(before)};
+    const double left = 0.3 * rise.velocity / (g + drag * rise.velocity), seconds = before + left;
+    for (const char* id : {"velocity_verlet", "blanes_moan4", "runge_kutta4", "implicit_midpoint"}) {
+      TestSim sim = falling_ball(height, e);
+      sim.system.drag = drag;
+      constexpr int steps = 100;
+      sim.run(*find_integrator(id), seconds, steps);
+      const double h = seconds / steps, largest = drag * h * drag * h * std::abs(fall.v(before)) * left + g * drag * h * h * seconds;
+      EXPECT_NEAR(sim.state.position[0].y + 0.95, rise.y(left), largest) << id << " drag " << drag << " height " << height << " e " << e;
+    }
   }
 }
 

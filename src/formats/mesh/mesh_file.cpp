@@ -200,7 +200,9 @@ LooseParts loose_parts_of(const System& system) {
                second = static_cast<std::size_t>(system.index_of(spring.second));
     const std::array<Index, 2> line{static_cast<Index>(std::min(first, second)), static_cast<Index>(std::max(first, second))};
     const bool is_free = !is_on_face[first] || !is_on_face[second];
-    if (!is_free && (spring.family != SpringFamily::Structural || std::binary_search(sides.begin(), sides.end(), line))) continue;
+    if (!is_free && (spring.family == SpringFamily::Shear || spring.family == SpringFamily::Bend ||
+                     std::binary_search(sides.begin(), sides.end(), line)))
+      continue;
     loose.lines.push_back(line);
     is_used[first] = is_used[second] = true;
   }

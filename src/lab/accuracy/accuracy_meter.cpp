@@ -34,7 +34,7 @@ constexpr double min_unresolved = 1e-5;
 constexpr double min_certain = 0.05;
 constexpr std::string_view passes_through_zero = "springs pass through zero length faster than the steps resolve";
 // Where steps and halves of them end at the same phases of an oscillation, nothing shows how wrong both are.
-constexpr std::string_view oscillates_too_fast = "a collider oscillates faster than the steps resolve";
+constexpr std::string_view oscillates_too_fast = "a collider or muscle oscillates faster than the steps resolve";
 // Below this order, half the error costs more than four times the time, if it can be had at all.
 constexpr double min_order = 0.5;
 // Errors of this fraction of the scene's size are no longer small: beyond it the trajectory is not predictable.
@@ -99,7 +99,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   method_ = settings.integrator;
   past_.has_broken = past_.has_broken || motion.counts.breaks > 0;
   past_.is_smooth = past_.is_smooth && !touches_ && !ignores_tolerance_ && !past_.has_broken && !plan.hand.held && !plan.hand.pull;
-  past_.is_aliased = past_.is_aliased || !resolves_colliders(plan, settings_used(settings, after));
+  past_.is_aliased = past_.is_aliased || !resolves_oscillations(plan, settings_used(settings, after));
   energy_.add_frame(plan, before, after, motion, energy);
   past_.supplied = after.supply.scale;
   past_.max_kinetic = std::max(past_.max_kinetic, kinetic_energy(system, after));

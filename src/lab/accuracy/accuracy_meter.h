@@ -16,7 +16,7 @@ namespace hooke {
 // What has happened in a run since its start.
 struct RunEvents {
   bool is_unresolved = false;  // springs passed through zero length faster than the steps resolve
-  bool is_aliased = false;     // colliders oscillated faster than the steps resolve
+  bool is_aliased = false;     // colliders or muscles oscillated faster than the steps resolve
   bool has_broken = false;     // a spring did
   bool is_smooth = true;       // without contact, springs that break, a strain limit and a hand
   double max_kinetic = 0.0;    // [J]

@@ -26,6 +26,12 @@ std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double 
 // collider that oscillates may need steps so short that their difference has lost most of its digits.
 Vec3 without_rounding(const Plan& plan, const Vec3& correction, const Vec3& x, double h);
 
+// [m/s^2], by which drag [1/s] changes in the `left` seconds after a velocity changes: the mean of an exponential decay, to fourth order.
+inline Vec3 change_of_drag(double drag, double left, const Vec3& velocity_change) {
+  const double x = drag * left;
+  return -drag / (1.0 + 0.5 * x + x * x / 12.0) * velocity_change;
+}
+
 // The velocity of the surface below a point at x, on the side of `normal`, relative to the shape: of a belt, or of a spin.
 Vec3 relative_surface_velocity(const Obstacle& obstacle, const Vec3& normal, const Vec3& x);
 

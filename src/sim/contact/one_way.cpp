@@ -14,7 +14,7 @@ struct End {
 };
 
 // A path that leads behind a wall, with the velocity of the rebound from where it meets it.
-End rebound(const Collider& wall, double radius, double adhesion, const Parabola& path, double h) {
+End rebound(const Collider& wall, double radius, double adhesion, double drag, const Parabola& path, double h) {
   const auto& plane = std::get<Plane>(wall.shape);
   double t = first_impact(wall, radius, path, h).value_or(h);
   // pressed from rest: an impact at the end
@@ -28,7 +28,8 @@ End rebound(const Collider& wall, double radius, double adhesion, const Parabola
   const double leaving = wall.restitution * approach - adhesion;
   if (adhesion > 0.0 && leaving < 0.0) return {crossing, Vec3(0.0)};
   const Vec3 after = leaving * plane.normal + wall.restitution * (v + approach * plane.normal);
-  End end{crossing + left * (after + 0.5 * left * path.a), after + left * path.a};
+  const Vec3 a = path.a + change_of_drag(drag, left, after - v);
+  End end{crossing + left * (after + 0.5 * left * a), after + left * a};
   // what presses again within the substep rests
   const double depth = -gap_to(wall, radius, end.x).distance;
   if (depth > 0.0) end = {end.x + depth * plane.normal, end.v - std::min(0.0, glm::dot(plane.normal, end.v)) * plane.normal};
@@ -45,7 +46,7 @@ bool follow(const Plan& plan, const Vec3& x0, const Vec3& v0, const Vec3& a, dou
       return true;
     }
     if (start < -contact_tolerance(x0) || !(gap_to(wall, radius, end.x).distance < 0.0)) continue;
-    end = rebound(wall, radius, adhesion, {end.x - h * (end.v - 0.5 * h * a), end.v - h * a, a}, h);
+    end = rebound(wall, radius, adhesion, plan.drag, {end.x - h * (end.v - 0.5 * h * a), end.v - h * a, a}, h);
     is_changed = true;
   }
   return is_changed;

@@ -73,6 +73,7 @@ void TouchSimulation::add_point(const Plan& plan, Index i, const Vec3& x0, const
   path.velocity_correction = path.free_correction = without_rounding(plan, (x1 - x0) / h - v0 - 0.5 * change, x0, h);
   path.v += path.velocity_correction;
   path.velocity_change = glm::length(change);
+  path.drag = plan.drag;
   path.adhesion = plan.force_data.sticky.strength * path.inverse_mass;
   path.start_x = x0;
   path.start_v = path.v;

@@ -29,10 +29,13 @@ struct PointPath {
   Vec3 free_correction{0.0};      // [m/s], of that path without contact
   Vec3 free_acceleration{0.0};    // [m/s^2], without contact
   double velocity_change = 0.0;   // [m/s], of the whole substep without contact
+  double drag = 0.0;              // [1/s]
+  double work_of_forces = 0.0;    // [m^2/s^2], per mass, up to start_x
   // [m/s^2], by which a sticky plane holds it after an impact without a rebound (forces/terms/sticking.h); 0: it does not
   double adhesion = 0.0;
   Vec3 held{0.0};  // [m/s^2], that it balances
-  // [m], [m/s], at the start of the substep; v with the part of the correction that contacts at rest leave, without work
+  // [m], [m/s], at the start of the substep, or at the last impact; v with the part of the correction that contacts at rest leave, without
+  // work, at the start
   Vec3 start_x{0.0}, start_v{0.0};
   bool is_changed = false;  // by contact
   bool is_listed = false;   // among the paths of TouchSimulation::changed
@@ -44,10 +47,21 @@ struct PointPath {
     v = velocity(t);
     time = t;
   }
+  // An impact changes the velocity, and with it the drag until the end of the substep.
+  void rebound(const Vec3& velocity, double end) {
+    if (drag > 0.0) {
+      work_of_forces += glm::dot(free_acceleration, x - start_x);
+      start_x = x;
+      const Vec3 change = change_of_drag(drag, end - time, velocity - v);
+      a += change;
+      free_acceleration += change;
+    }
+    v = velocity;
+  }
   // [J], of contact so far, in addition to that of the forces: m (v^2 - v0^2) / 2 - m a (x - x0).
   double contact_work() const {
     const double kinetic = 0.5 * (glm::dot(v, v) - glm::dot(start_v, start_v));
-    return (kinetic - glm::dot(free_acceleration, x - start_x)) / inverse_mass;
+    return (kinetic - work_of_forces - glm::dot(free_acceleration, x - start_x)) / inverse_mass;
   }
 };
 

@@ -98,7 +98,7 @@ void TouchSimulation::respond() {
       adhere(touch);
     }
     for (const std::size_t p : {touch.first, touch.second}) {
-      if (paths[p].inverse_mass != 0.0) paths[p].v = velocity_[p];
+      if (paths[p].inverse_mass != 0.0) paths[p].rebound(velocity_[p], h_);
       change(p);
     }
   }

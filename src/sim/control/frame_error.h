@@ -37,9 +37,9 @@ struct Repetition {
 };
 Repetition repetition_of(const Plan& plan, const System& system, const Settings& settings);
 
-// Whether the steps with which a frame was computed (settings_used) are short enough for the oscillations of the colliders. If not, half
-// the step may miss the same parts of them. A method that adapts its step takes shorter ones.
-bool resolves_colliders(const Plan& plan, const Settings& used);
+// Whether the steps with which a frame was computed (settings_used) are short enough for the oscillations of colliders and muscles. If not,
+// half the step may miss the same parts of them. A method that adapts its step takes shorter ones.
+bool resolves_oscillations(const Plan& plan, const Settings& used);
 
 // `weight` times the distance between the positions of two states of the scene, over the points that are not nailed: nails, which have no
 // error, must not dilute that of the others.

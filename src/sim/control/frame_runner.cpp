@@ -34,7 +34,7 @@ void FrameRunner::begin(Plan& plan, const System& system, const Settings& settin
   rejections_ = 0;
   agreed_before_ = false;
   frame_cost_ = 0.0;
-  StepNeeds needs{.passage = shortest_passage(system, state, 1.0 / settings.frame_rate), .oscillation = plan.collider_paths.resolving_step};
+  StepNeeds needs{.passage = shortest_passage(system, state, 1.0 / settings.frame_rate), .oscillation = plan.resolving_step()};
   // a spring that vibrates may pass its limit and return between the ends of longer substeps
   if (may_break(plan, state)) needs.oscillation = std::min(needs.oscillation, control::max_turn / plan.spectrum.omega);
   limits_.update(plan.spectrum, needs);

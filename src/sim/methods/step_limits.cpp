@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/file_limits.h"
-#include "sim/model/constants.h"
 
 namespace hooke {
 namespace {
@@ -22,27 +21,16 @@ Oscillation fastest_oscillation(const System& system) {
   for (std::size_t c = 0; c < system.colliders.size(); ++c) {
     ColliderPath path = system.colliders[c].path;
     if (system.dimensions == 2) path.amplitude.z = 0.0;
-    if (system.colliders[c].solid && path.resolving_step() < fastest.resolving_step) fastest = {c, path.resolving_step()};
+    if (system.colliders[c].solid && path.resolving_step() < fastest.resolving_step) fastest = {false, c, path.resolving_step()};
   }
+  for (std::size_t s = 0; system.springs().have_laws() && s < system.springs().size(); ++s)
+    if (const auto& law = system.springs()[s].law; law && law->resolving_step(system.muscles.rate()) < fastest.resolving_step)
+      fastest = {true, s, law->resolving_step(system.muscles.rate())};
   return fastest;
 }
 
-namespace {
-
-// [s], that resolves the muscles as well as colliders that oscillate.
-double resolving_step_of_muscles(const System& system) {
-  double max = 0.0;
-  if (!system.springs().have_laws()) return std::numeric_limits<double>::infinity();
-  for (const Spring& spring : system.springs())
-    if (spring.law && spring.law->amplitude != 0.0) max = std::max(max, spring.law->frequency * system.muscles.rate());
-  return 1.0 / (collider_steps_per_period * max);
-}
-
-}  // namespace
-
 StepNeeds step_needs(const System& system, const State& state) {
-  return {recommended_margin(system, state), shortest_passage(system, state),
-          std::min(fastest_oscillation(system).resolving_step, resolving_step_of_muscles(system))};
+  return {recommended_margin(system, state), shortest_passage(system, state), fastest_oscillation(system).resolving_step};
 }
 
 void StepLimits::update(const Spectrum& spectrum, const StepNeeds& needs) {

@@ -22,9 +22,10 @@ struct StepNeeds {
 // `state`: the one from which the scene runs.
 StepNeeds step_needs(const System& system, const State& state);
 
-// The solid collider that oscillates fastest.
+// The solid collider or the muscle that oscillates fastest.
 struct Oscillation {
-  std::size_t collider = 0;
+  bool is_muscle = false;
+  std::size_t index = 0;                                            // of the collider or the spring
   double resolving_step = std::numeric_limits<double>::infinity();  // [s]; infinity: there is none
 };
 Oscillation fastest_oscillation(const System& system);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/model/constants.h"
 #include "sim/model/portable_math.h"
 
 namespace hooke {
@@ -16,6 +17,11 @@ SpringResponse response_of(const SpringLaw& law, double k, double e) {
   const double p = law.k3 < 0.0 ? std::sqrt(k / (-3.0 * law.k3)) : std::numeric_limits<double>::infinity();
   const double c = std::clamp(e, -p, p), square = c * c, tension = (k + law.k3 * square) * c;
   return {tension, c == e ? k + 3.0 * law.k3 * square : 0.0, (0.5 * k + 0.25 * law.k3 * square) * square + tension * (e - c), true};
+}
+
+double SpringLaw::resolving_step(double speed) const {
+  if (amplitude == 0.0 || frequency * speed == 0.0) return std::numeric_limits<double>::infinity();
+  return 1.0 / (steps_per_period * frequency * speed);
 }
 
 double max_stiffness(const SpringLaw& law, double k, double rest_length) {

@@ -24,6 +24,8 @@ struct SpringLaw {
   double min_rest_length = 0.0;                                      // [m], >= 0
   double max_rest_length = std::numeric_limits<double>::infinity();  // [m], >= the minimum
   bool moves() const { return amplitude != 0.0 || rate != 0.0; }
+  // [s], the longest that resolves its oscillation, where the time of the muscles passes this fast; infinity: it does not oscillate
+  double resolving_step(double speed) const;
   bool operator==(const SpringLaw&) const = default;
 };
 

@@ -84,7 +84,7 @@ Vec3 ColliderPath::acceleration(double time) const {
 
 double ColliderPath::resolving_step() const {
   if (amplitude == Vec3(0.0) || frequency == 0.0) return std::numeric_limits<double>::infinity();
-  return 1.0 / (collider_steps_per_period * frequency);
+  return 1.0 / (steps_per_period * frequency);
 }
 
 ColliderShape translated(ColliderShape shape, const Vec3& displacement) {

@@ -181,6 +181,7 @@ void plan_laws(Plan& plan, const System& system) {
                               .damping = system.damping_of(spring),
                               .rest_length = spring.rest_length});
       laws.move = laws.move || (laws.springs.back().law.moves() && system.muscles.rate() != 0.0);
+      laws.resolving_step = std::min(laws.resolving_step, laws.springs.back().law.resolving_step(system.muscles.rate()));
     }
   if (laws.springs.empty()) laws = {};
 }

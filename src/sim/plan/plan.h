@@ -118,6 +118,8 @@ struct LawSprings {
   std::vector<Index> of_packed;    // of a packed spring; no_index: it has no law; empty: none has
   MuscleClock clock;
   bool move = false;  // whether any rest length moves
+  // [s], the longest step that resolves the oscillations of the muscles; infinity: none oscillates
+  double resolving_step = std::numeric_limits<double>::infinity();
   bool empty() const { return springs.empty(); }
 };
 
@@ -196,6 +198,8 @@ struct Plan {
   bool has_contact() const { return !colliders.empty() || !one_way.empty() || touches_itself(); }
   bool touches_itself() const { return pairs.on || surface.on; }
   bool has_dashpots() const { return !spring.damping.empty(); }
+  // [s], the longest step that resolves the oscillations of colliders and muscles
+  double resolving_step() const { return std::min(collider_paths.resolving_step, spring.laws.resolving_step); }
   // Whether a force balances the sum of all others.
   bool has_balancing_forces() const { return force_data.sticky.strength > 0.0 || !force_data.rollers.empty(); }
   // [1/kg], per point, for contact, which pushes no roller.

@@ -158,7 +158,7 @@ void Substep::break_long_springs(Plan& plan, Motion& motion) {
 // [s], to the end of the substep. Shorter where a spring is about to break and where a method that adapts its step would pass over
 // oscillations of colliders, or of springs that break at their largest length: parts of the substep.
 double Substep::next_length(const Plan& plan, const Motion& motion) const {
-  double max = is_adaptive() ? plan.collider_paths.resolving_step : left_;
+  double max = is_adaptive() ? plan.resolving_step() : left_;
   if (locates_breaks_) {
     const double min_part = min_part_to_break * h_;
     if (is_adaptive() && plan.spectrum.omega > 0.0) max = std::min(max, std::max(max_angle_to_break / plan.spectrum.omega, min_part));

@@ -22,14 +22,19 @@ double mass_of(const System& system) {
 
 namespace {
 
-// The minimum of the supplied energy [J]: M g L; without gravity, a part of sum k l0^2; where only listed forces act, of M (w L)^2.
+// The minimum of the supplied energy [J]: M g L; without gravity, a part of sum k l0^2; where only listed forces act, of M (w L)^2; what
+// muscles store when they contract, k (a l0)^2 / 2.
 double min_scale(const System& system, const State& state) {
-  double springs = 0.0;
-  for (const Spring& spring : system.springs()) springs += system.stiffness_of(spring) * spring.rest_length * spring.rest_length;
+  double springs = 0.0, muscles = 0.0;
+  for (const Spring& spring : system.springs()) {
+    const double elastic = system.stiffness_of(spring) * spring.rest_length * spring.rest_length;
+    springs += elastic;
+    if (spring.law) muscles += 0.5 * elastic * spring.law->amplitude * spring.law->amplitude;
+  }
   const double w = system.forces.empty() ? 0.0 : bound_spectrum(system).force_omega, distance = max_length(state.position);
   const bool is_known = std::isfinite(w) && std::isfinite(distance);
   const double forces = is_known ? min_force_scale * mass_of(system) * w * w * distance * distance : 0.0;
-  return std::max({reference_energy(system, state), min_elastic_scale * springs, forces, 1e-300});
+  return std::max({reference_energy(system, state), min_elastic_scale * springs, forces, muscles, 1e-300});
 }
 
 void record_extent(State& state) {
@@ -57,13 +62,16 @@ void record_edit_energy(const System& system, double change, State& state) {
 void record_frame_energy(const Plan& plan, const EnergyLedger& frame, const HandMotion& hand, State& state) {
   using enum EnergyCause;
   EnergySupply& supply = state.supply;
-  for (const EnergyCause cause : {Colliders, Breaks, StrainLimit, Forces, Muscles}) {
+  for (const EnergyCause cause : {Colliders, Breaks, StrainLimit, Forces}) {
     supply.net_input += frame[cause];
     supply.scale += std::max(0.0, frame[cause]);
   }
   supply.add_reversible(frame[Potentials]);
-  supply.net_input += frame[Hand];
-  supply.scale += std::abs(frame[Hand]);
+  // what moves back and forth supplies energy and takes it back
+  for (const EnergyCause cause : {Hand, Muscles}) {
+    supply.net_input += frame[cause];
+    supply.scale += std::abs(frame[cause]);
+  }
   supply.hand_stretch = std::max(supply.hand_stretch, hand.stretch);
   if (!supply.extent || !(plan.hand.held || plan.hand.pull || plan.collider_paths.grabbed)) return;
   const double distance = state.hand.collider ? glm::length(anchor_of(state.hand.collider->shape)) : 0.0;
