@@ -105,19 +105,20 @@ void Document::save_to(const std::filesystem::path& file) {
     return panels_.show_message("Cannot save the scene", name_of(file) + ": scenes are saved as .json; use Export for other formats.");
   }
   if (saving_.moment == LabThread::Moment::Present && file == file_)
-    return panels_.show_message("Choose another file",
-                                name_of(file) +
-                                    " contains the start of the open scene. Use another name, or \"Set as start\" and \"Save\".",
-                                choices_to_save_elsewhere());
+    return panels_.show_message(
+        "Choose another file", name_of(file) + " contains the start of the open scene. Use another name, or \"Set as start\" and \"Save\".",
+        choices_to_save_elsewhere());
   saving_.file = file;
   const std::vector<Choice> choices = {{"Save as...", Answer::SaveAs}, {"Replace", Answer::Overwrite}, {"Cancel", Answer::Cancel}};
   if (file == file_ && watch_.check() == FileWatch::Change::Modified)
-    return panels_.show_message("File changed",
-                                name_of(file) + " was changed by another program after it was opened here. Save under another name to keep those changes.",
-                                choices);
+    return panels_.show_message(
+        "File changed",
+        name_of(file) + " was changed by another program after it was opened here. Save under another name to keep those changes.",
+        choices);
   if (file != file_ && session_.is_open_elsewhere(file))
     return panels_.show_message("Open in another window",
-                                name_of(file) + " is open in another Hooke window. Save under another name to keep what that window saved.", choices);
+                                name_of(file) + " is open in another Hooke window. Save under another name to keep what that window saved.",
+                                choices);
   write_to(file);
 }
 

@@ -52,7 +52,8 @@ void SelectionEditor::paste(const std::optional<glm::dvec2>& place) {
           return [this, part, at] { paste(*part, at); };
         } catch (const InputError&) {
           return [this] {
-            panels_.show_toast(task_.was_stopped() ? "Canceled: nothing was pasted" : "The clipboard does not contain part of a scene: copy points first");
+            panels_.show_toast(task_.was_stopped() ? "Canceled: nothing was pasted"
+                                                   : "The clipboard does not contain part of a scene: copy points first");
           };
         }
       });

@@ -154,8 +154,8 @@ std::optional<std::string> thickness_warning(const System& system) {
   if (!is_long && !is_short) return std::nullopt;
   const std::string of_small = " more than half of the smallest faces or springs, which touch at " + quantity_text(min, "m", 3),
                     of_large = " less than a twentieth of the largest faces or springs, which touch at " + quantity_text(max, "m", 3);
-  return "contact.thickness: " + quantity_text(given, "m", 3) + ": is" +
-         (is_long && is_short ? of_small + ", and" + of_large : is_long ? of_small : of_large);
+  return "contact.thickness: " + quantity_text(given, "m", 3) + ": is" + (is_long ? of_small : "") + (is_long && is_short ? ", and" : "") +
+         (is_short ? of_large : "");
 }
 
 }  // namespace hooke

@@ -80,11 +80,11 @@ void step_remark(const Snapshot& snapshot) {
       description += "a method that adapts its steps, because points pass the center of a force or colliders oscillate too fast.";
       short_text = "use " + std::string(adaptive_integrator().id);
     } else if (recommended > with_margin) {
-      description += number_text(recommended) + " substeps, which resolve how fast points pass the center of a force and colliders oscillate.";
+      description +=
+          number_text(recommended) + " substeps, which resolve how fast points pass the center of a force and colliders oscillate.";
       short_text = "use " + number_text(recommended);
     } else {
-      description +=
-          number_text(recommended) + ", " + times + " times as many: a measured margin for springs that stretch and rotate far.";
+      description += number_text(recommended) + ", " + times + " times as many: a measured margin for springs that stretch and rotate far.";
       short_text = "use " + number_text(recommended) + " (" + times + "\u00d7)";
     }
     name = (snapshot.is_limited_by_contact ? "contact limit " : "linear limit ") + number_text(needed);
