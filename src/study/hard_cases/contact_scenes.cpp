@@ -106,7 +106,7 @@ ContactScene make_crossing_cloths() {
 }
 
 ContactScene make_twisted_tube() {
-  ContactScene scene{.seconds = 1.0, .release_time = 0.5};
+  ContactScene scene{.seconds = 0.6, .release_time = 0.3};
   System& system = scene.network.system;
   constexpr int around = 12, along = 41;
   constexpr double radius = 0.06, length = 1.0, turns = 4.0;

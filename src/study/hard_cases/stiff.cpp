@@ -147,7 +147,7 @@ Verdict judge_one_substep(const Integrator& method) {
   for (const ShippedScene& shipped : shipped_scenes()) {
     const Scene scene = load_scene(shipped.file).scene;
     MonitoredRun run({scene.system, scene.state}, {.integrator = &method, .substeps = 1});
-    run.run(is_adaptive(method) ? 0.05 : 0.5);
+    run.run(is_adaptive(method) ? 0.05 : 0.25);
     parts.push_back(judge(run, is_finite(run.state()), ""));
     if (parts.back().outcome == Outcome::FailedOpenly) parts.back().reason = shipped.id + ": " + parts.back().reason;
     held += run.stopped() ? 0 : 1;
@@ -223,7 +223,7 @@ constinit const HardCase compressed_sheet_case{
 constinit const HardCase one_substep_case{
     .number = 10,
     .name = "One substep per frame",
-    .parameters = "every shipped scene, one step of 1/60 s per frame, 0.5 s; methods that choose their steps: 0.05 s",
+    .parameters = "every shipped scene, one step of 1/60 s per frame, 0.25 s; methods that choose their steps: 0.05 s",
     .criterion = "finite to the end where the method declares that step stable; otherwise the divergence check may stop it",
     .slow_under = method_list<dop853, implicit_euler, baraff_witkin, implicit_midpoint, tr_bdf2, esdirk4>,
     .judge = judge_one_substep,
