@@ -179,7 +179,7 @@ void App::show_or_hide_plots() {
   if (!panels_.plots.is_shown) return;
   const double width = tool_context_.layout.menu.width, height = tool_context_.layout.status.y + tool_context_.layout.status.height;
   if (lay_out(width, height, tool_context_.scale, {.plots = true}).plots.height == 0.0)
-    panels_.show_toast("The window is not high enough for plots");
+    panels_.show_toast("The window is not high enough for plots: make it higher");
 }
 
 void App::show_or_hide_table() {
@@ -204,7 +204,8 @@ void App::release_nails() {
 
 void App::switch_muscles() {
   const auto moves = [](const Spring& spring) { return spring.law && spring.law->moves(); };
-  if (std::ranges::none_of(tool_context_.system().springs(), moves)) return panels_.show_toast("This scene has no muscles or winches");
+  if (std::ranges::none_of(tool_context_.system().springs(), moves))
+    return panels_.show_toast("This scene has no muscles or winches: select a spring and choose its law");
   const bool on = !status().snapshot->system->muscles.on;
   lab_.submit(SetParameter{find_parameter("muscles"), on ? 1.0 : 0.0});
   panels_.show_toast(on ? "Muscles and winches move" : "Muscles and winches stand still");

@@ -66,8 +66,8 @@ std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene) {
   app.add_option("--frame-rate", options->frame_rate, "Frames per simulated second [1/s]")->type_name("RATE")->transform(within(positive));
   app.add_option(
          "--tolerance", options->tolerance,
-         "With auto, which it selects unless a method is named: RMS error of the positions that a simulated second may add; with dop853: "
-         "local error per step [m]")
+         "RMS error of the positions that a simulated second may add [m]; selects auto unless a method is named. With dop853: local error "
+         "per step [m]")
       ->type_name("METERS")
       ->transform(within(positive));
   app.add_option("--set", options->settings, "Set a parameter; may be repeated: " + names_of_parameters())

@@ -15,11 +15,11 @@ double number_of(const char* option, const std::string& text, const Bounds& boun
 }
 
 constexpr ImportOption rows[] = {
-    {"weld", "METERS", "Of a mesh: join the points of open edges that are closer than this [m]",
+    {"weld", "METERS", "For a mesh: join the points of open edges that are closer than this [m]",
      [](ImportOptions& options, const std::string& text) { options.seam_distance = number_of("weld", text, not_negative); }},
-    {"scale", "METERS", "Of a mesh: length of its unit [m], 0.001 for millimeters",
+    {"scale", "METERS", "For a mesh: length of its unit [m], 0.001 for millimeters",
      [](ImportOptions& options, const std::string& text) { options.scale = number_of("scale", text, positive); }},
-    {"up", "AXIS", "Of a mesh: the axis that points up, y or z",
+    {"up", "AXIS", "For a mesh: the axis that points up, y or z",
      [](ImportOptions& options, const std::string& text) {
        if (text != "y" && text != "z") throw OptionError("up", printable(text, 80), "must be y or z");
        options.is_z_up = text == "z";

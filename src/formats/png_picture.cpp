@@ -107,8 +107,8 @@ constexpr FileKind film_kind(std::string_view extension, std::string_view label,
 
 constinit const FileKind film_file = film_kind(".mp4", "Film", "The view from now on, until F12; needs ffmpeg.");
 constinit const FileKind webp_file =
-    film_kind(".webp", "Animated picture", "The view from now on, until F12. Small; browsers play it.", true);
-constinit const FileKind gif_file =
-    film_kind(".gif", "Animated picture", "The view from now on, until F12. Every program plays it; the files are large, of 255 colors.");
+    film_kind(".webp", "Animated picture", "The view from now on, until F12. Files are small, and browsers play them.", true);
+constinit const FileKind gif_file = film_kind(
+    ".gif", "Animated picture", "The view from now on, until F12. Every program plays it, but files are large and have 255 colors.");
 
 }  // namespace hooke

@@ -39,10 +39,8 @@ double fitted(const NumberField& field, double value) {
 
 // The tooltip: the description, and how to use the slider.
 std::string hint_of(const NumberField& field) {
-  std::string text(field.description);
-  if (field.mixed) text += " Varies between parts: this is the mean. Dragging scales all by one factor, typing makes them equal.";
-  return text + (text.empty() ? "" : "\n") + "Ctrl+click to type; right-click resets to " + with_unit(field.default_value, field.unit) +
-         ".";
+  const std::string text(field.description), drag = field.mixed ? "Drag to scale all, Ctrl+click to make them equal" : "Ctrl+click to type";
+  return text + (text.empty() ? "" : "\n") + drag + "; right-click resets to " + with_unit(field.default_value, field.unit) + ".";
 }
 
 // The position of the value between min and max, as computed by the slider of ImGui.

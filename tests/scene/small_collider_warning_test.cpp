@@ -17,8 +17,8 @@ TEST(SmallColliderWarning, NamesTheBallThatFitsBetweenThePointsOfACloth) {
                        std::string(solid) + R"(, "radius": )" + std::to_string(radius) + "}]}");
   };
   EXPECT_EQ(warnings(0.1, "true"), std::vector<std::string>{"test.json: colliders[1]: a ball of radius 0.1 m fits between the points of a "
-                                                            "face of 0.34 m, which passes through it: only points touch colliders; a "
-                                                            "nailed point of that radius stops it, with contact of faces"});
+                                                            "face of 0.34 m, which passes through it: use a nailed point "
+                                                            "of that radius, with contact of faces"});
   EXPECT_TRUE(warnings(0.1, "false").empty());
   EXPECT_TRUE(warnings(0.15, "true").empty());
 }
@@ -29,7 +29,7 @@ TEST(SmallColliderWarning, NamesWhatStopsTheRope) {
     "from": [-0.5, 1, 0], "to": [0.5, 1, 0], "points": 6, "mass": 0.2, "stiffness": 100}], )";
   const auto warnings = warnings_of(rope + R"("colliders": [{"type": "sphere", "center": [0, 0.5, 0], "radius": 0.05}]})");
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(warnings[0].ends_with("a nailed point of that radius stops it, with contact of springs")) << warnings[0];
+  EXPECT_TRUE(warnings[0].ends_with("use a nailed point of that radius, with contact of springs")) << warnings[0];
   const Scene scene = parse(rope + R"("points": [{"position": [0, 0.5, 0], "nailed": true, "radius": 0.05}]})");
   TestSim sim;
   sim.system = scene.system;

@@ -17,13 +17,13 @@ TEST(StrainLimitWarning, NamesTheFirstSpringThatStartsTooLong) {
   sim.join(nail, far, 100.0, 0.5);
   EXPECT_EQ(
       strain_limit_warning(sim.system, sim.state),
-      "strain_limit_percent: 5 %: spring 1 (points 0 and 2) starts 2 m long, where the limit is 0.525 m: the first substep shortens what "
-      "is too long at once, whatever the forces are");
+      "strain_limit_percent: 5 %: spring 1 (points 0 and 2) starts 2 m long, where the limit is 0.525 m: the first substep shortens it at "
+      "once");
   sim.system.strain_limit = 0.02;
   EXPECT_EQ(
       strain_limit_warning(sim.system, sim.state),
       "strain_limit_percent: 2 %: spring 0 (points 0 and 1) starts 1.04 m long, where the limit is 1.02 m (the first of 2 such springs): "
-      "the first substep shortens what is too long at once, whatever the forces are");
+      "the first substep shortens it at once");
 }
 
 // A limit is not imposed on springs that cannot become shorter, have no rest length, or are as long as the limit leaves them.

@@ -117,7 +117,7 @@ void Document::begin() {
   if (session_.is_open_elsewhere(file_))
     panels_.queue_message("Open in another window",
                           printable(file_.filename().native(), 60) +
-                              " is open in another Hooke window. Saving in one window replaces what the other one saved.",
+                              " is open in another Hooke window. Make a copy, so that neither window replaces what the other one saves.",
                           {{"Open here too", Answer::KeepMine}, {"Make a copy", Answer::MakeCopy}});
 }
 
@@ -146,7 +146,7 @@ void Document::report_change(FileWatch::Change change) {
   else
     panels_.banners.file_notice =
         printable(file_.filename().native(), 60) +
-        (panels_.banners.file_is_missing ? " no longer exists. Saving creates it again." : " was changed by another program.");
+        (panels_.banners.file_is_missing ? " no longer exists. Save to create it again." : " was changed by another program.");
 }
 
 void Document::poll_system_dialog() {

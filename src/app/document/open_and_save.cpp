@@ -105,20 +105,20 @@ void Document::save_to(const std::filesystem::path& file) {
     return panels_.show_message("Cannot save the scene", name_of(file) + ": scenes are saved as .json; use Export for other formats.");
   }
   if (saving_.moment == LabThread::Moment::Present && file == file_)
-    return panels_.show_message("Choose another file",
-                                name_of(file) +
-                                    " is the file of the open scene, which contains its start. \"Set as start\" and \"Save\" make " +
-                                    "the present state the start of the scene.",
-                                choices_to_save_elsewhere());
+    return panels_.show_message(
+        "Choose another file", name_of(file) + " contains the start of the open scene. Use another name, or \"Set as start\" and \"Save\".",
+        choices_to_save_elsewhere());
   saving_.file = file;
   const std::vector<Choice> choices = {{"Save as...", Answer::SaveAs}, {"Replace", Answer::Overwrite}, {"Cancel", Answer::Cancel}};
   if (file == file_ && watch_.check() == FileWatch::Change::Modified)
-    return panels_.show_message("File changed",
-                                name_of(file) + " was changed by another program after it was opened here. Saving replaces those changes.",
-                                choices);
+    return panels_.show_message(
+        "File changed",
+        name_of(file) + " was changed by another program after it was opened here. Save under another name to keep those changes.",
+        choices);
   if (file != file_ && session_.is_open_elsewhere(file))
     return panels_.show_message("Open in another window",
-                                name_of(file) + " is open in another Hooke window. Saving replaces what that window saved.", choices);
+                                name_of(file) + " is open in another Hooke window. Save under another name to keep what that window saved.",
+                                choices);
   write_to(file);
 }
 
@@ -138,7 +138,7 @@ void Document::finish_saving(const std::filesystem::path& file, double time, con
     pending_ = nullptr;
     if (task_.was_stopped()) return panels_.show_toast("Canceled: nothing was saved");
     return panels_.show_message("Cannot save the scene",
-                                error + "\n\nNothing is lost: the scene is still open, and an existing file is unchanged.",
+                                error + "\n\nNothing is lost, and an existing file is unchanged: try another name or folder.",
                                 choices_to_save_elsewhere());
   }
   const std::string shown = printable(file.native());

@@ -52,7 +52,8 @@ void SelectionEditor::paste(const std::optional<glm::dvec2>& place) {
           return [this, part, at] { paste(*part, at); };
         } catch (const InputError&) {
           return [this] {
-            panels_.show_toast(task_.was_stopped() ? "Canceled: nothing was pasted" : "The clipboard does not contain part of a scene");
+            panels_.show_toast(task_.was_stopped() ? "Canceled: nothing was pasted"
+                                                   : "The clipboard does not contain part of a scene: copy points first");
           };
         }
       });
@@ -99,7 +100,7 @@ void SelectionEditor::weld() {
 void SelectionEditor::split() {
   std::vector<Command> commands =
       hooke::split(context_.snapshot(), context_.status->document->sheet.get(), context_.selection.points, context_.new_ids());
-  if (commands.empty()) return panels_.show_toast("Nothing to split: select points where springs meet, not of a surface");
+  if (commands.empty()) return panels_.show_toast("Nothing to split: select points where springs meet, outside of surfaces");
   const Gesture gesture = context_.begin_gesture();
   const std::string name = "split " + count(std::ssize(context_.selection.points), "point");
   for (Command& command : commands) context_.lab.submit(std::move(command), gesture, name);

@@ -181,7 +181,7 @@ class SelectTool : public Tool {
   void press_velocity(ToolContext& context) {
     const auto point = context.point_at(pressed_at_);
     if (!point || context.system().points()[context.system().index_of(*point)].nailed) {
-      context.notice = point ? "A nailed point has no velocity" : alt_drags;
+      context.notice = point ? "A nailed point has no velocity: release it first" : alt_drags;
       return;
     }
     point_ = *point;

@@ -237,14 +237,14 @@ std::function<int()> declare_bench(CLI::App& app) {
   app.add_flag("-q,--quiet", options->quiet, "Print neither report nor progress");
   add_shard_option(app, options->shard);
   CLI::Option* verify = app.add_option("--verify", options->verify,
-                                       "Exit with code 1 if an error is more than 10 % larger than in these results, or a run does not "
-                                       "finish that did")
+                                       "Exit with code 1 if an error is more than 10 % larger than in these results, or a run fails "
+                                       "that finished")
                             ->type_name("bench.json");
-  app.add_option("--junit", options->junit, "Of --verify: write the comparison as JUnit XML; - for stdout")
+  app.add_option("--junit", options->junit, "With --verify: write the comparison as JUnit XML; - for stdout")
       ->type_name("FILE")
       ->needs(verify);
   const std::vector<CLI::Option*> instead = add_other_measurements(app, *options);
-  CLI::Option* error = app.add_option("--error", options->error, "Of --capacity: RMS error of the positions, relative to the width")
+  CLI::Option* error = app.add_option("--error", options->error, "With --capacity: RMS error of the positions, relative to the width")
                            ->transform(within({1e-9, 0.1}))
                            ->type_name("E")
                            ->capture_default_str();

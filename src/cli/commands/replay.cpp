@@ -76,7 +76,7 @@ std::function<int()> declare_replay(CLI::App& app) {
   auto options = std::make_shared<ReplayOptions>();
   app.add_option("LOG", options->log, "A recording (" + std::string(recording_extension) + ")")->required();
   app.add_flag("--verify", options->verify,
-               "Exit with code 1 if a frame, also the last one, differs from the recorded one in any bit, or the last line is incomplete");
+               "Exit with code 1 if a frame differs from the recorded one in any bit, or the last line is incomplete");
   app.add_option("--junit", options->junit, "Write as JUnit XML whether the frames are as recorded; - for stdout")->type_name("FILE");
   add_output_options(app, options->output, Summary::WithoutAccuracy);
   add_threads_option(app, options->threads);

@@ -317,7 +317,7 @@ constinit const FileKind obj_file{
     .format = [](const Scene& scene, const std::string&, std::vector<std::string>&) { return format_obj(scene); },
     .source = ExportSource::Scene,
     .label = "Mesh",
-    .description = "The current points, faces, and springs without faces, in the Wavefront format.",
+    .description = "The current points, faces, and springs without faces in the Wavefront format.",
     .is_mesh = true};
 
 constinit const FileKind ply_file{
@@ -326,6 +326,6 @@ constinit const FileKind ply_file{
     .format = [](const Scene& scene, const std::string&, std::vector<std::string>&) { return format_ply(scene); },
     .source = ExportSource::Scene,
     .label = "Mesh with strain",
-    .description = "The same in the Stanford format, with the strain at each vertex."};
+    .description = "The current points, faces and springs in the Stanford format, with the strain at each vertex."};
 
 }  // namespace hooke

@@ -59,7 +59,7 @@ std::optional<std::string> close_start_warning(const System& system, const State
          " closer than an eighth of the thickness, " +
          (is_face ? "point " + name_of(0) + " and the face of points " + name_of(1) + ", " + name_of(2) + " and " + name_of(3) : edges) +
          " most, by " + quantity_text(depth, "m", 2) + " of " + quantity_text(touching, "m", 2) +
-         ": they separate slowly, which may stretch springs and so supply energy";
+         ": move them apart, because they separate slowly and may supply energy";
 }
 
 // Springs that may touch, unless both ends are on faces: those of a lattice cross each other at rest.
@@ -90,11 +90,9 @@ std::optional<std::string> bridge_warning(const System& system) {
     if (count++ == 0) first = i, second = j;
   }
   if (count == 0) return std::nullopt;
-  const std::string ends = " that of points " + std::to_string(first) + " and " + std::to_string(second);
-  return "contact.springs: " +
-         (count == 1 ? "1 spring leads from one surface to another," + ends + ", and touches"
-                     : std::to_string(count) + " springs lead from one surface to another, such as" + ends + ", and touch") +
-         " nothing: a point of no face that divides it lets both halves touch";
+  return "contact.springs: " + std::to_string(count) + (count == 1 ? " spring joins" : " springs join") + " two surfaces and " +
+         (count == 1 ? "touches" : "touch") + " nothing, between points " + std::to_string(first) + " and " + std::to_string(second) +
+         (count == 1 ? "" : " for example") + ": divide it by a point, so that both halves touch";
 }
 
 // Faces, and springs of parts without any, of which only one kind touches: the other passes through. Parts are what springs and faces hold
@@ -122,7 +120,7 @@ std::optional<std::string> one_sided_warning(const System& system) {
     const auto name_of = [&](int corner) { return std::to_string(system.index_of(face.points[corner])); };
     return std::string(contact.faces ? "contact.springs" : "contact.faces") + ": off: springs such as that of points " + std::to_string(i) +
            " and " + std::to_string(j) + " pass through faces such as that of points " + name_of(0) + ", " + name_of(1) + " and " +
-           name_of(2) + (contact.faces ? ": switch it on" : ", except where they meet springs of these: switch it on");
+           name_of(2) + ": switch it on";
   }
   return std::nullopt;
 }
@@ -154,10 +152,10 @@ std::optional<std::string> thickness_warning(const System& system) {
   constexpr double round_off = 1e-12;
   const bool is_long = min<given*(1.0 - round_off), is_short = max> given * (1.0 + round_off);
   if (!is_long && !is_short) return std::nullopt;
-  const std::string touching = ": they touch at " + quantity_text(is_long ? min : max, "m", 3);
-  return "contact.thickness: " + quantity_text(given, "m", 3) + (is_long ? " is more than half of" : " is less than a twentieth of") +
-         " the smallest height of some faces, or length of springs" + touching +
-         (is_long && is_short ? "; and less than a twentieth of that of others: they touch at " + quantity_text(max, "m", 3) : "");
+  const std::string of_small = " more than half of the smallest faces or springs, which touch at " + quantity_text(min, "m", 3),
+                    of_large = " less than a twentieth of the largest faces or springs, which touch at " + quantity_text(max, "m", 3);
+  return "contact.thickness: " + quantity_text(given, "m", 3) + ": is" + (is_long ? of_small : "") + (is_long && is_short ? ", and" : "") +
+         (is_short ? of_large : "");
 }
 
 }  // namespace hooke

@@ -67,8 +67,9 @@ std::optional<std::string> small_collider_text(const System& system, const State
   if (half > (1.0 + 1e-9) * typical->half) return std::nullopt;
   return (is_ball ? "a ball of radius " + quantity_text(half, "m", 2) : "a box that is " + quantity_text(2.0 * half, "m", 2) + " wide") +
          " fits between the points of a " + (of_faces ? "face" : "spring") + " of " + quantity_text(typical->length, "m", 2) +
-         ", which passes through it: only points touch colliders" +
-         (is_ball ? std::string("; a nailed point of that radius stops it, with contact of ") + (of_faces ? "faces" : "springs") : "");
+         ", which passes through it: " +
+         (is_ball ? std::string("use a nailed point of that radius, with contact of ") + (of_faces ? "faces" : "springs")
+                  : "only points touch colliders");
 }
 
 std::optional<std::string> small_collider_warning(const System& system, const State& state) {

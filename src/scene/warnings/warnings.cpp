@@ -86,7 +86,7 @@ std::optional<std::string> strain_limit_warning(const System& system, const Stat
   if (count == 0) return std::nullopt;
   if (count > 1) first += " (the first of " + std::to_string(count) + " such springs)";
   return "strain_limit_percent: " + quantity_text(100.0 * system.strain_limit, "%", 3) + ": " + first +
-         ": the first substep shortens what is too long at once, whatever the forces are";
+         ": the first substep shortens it at once";
 }
 
 }  // namespace hooke

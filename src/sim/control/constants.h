@@ -4,51 +4,51 @@
 
 namespace hooke::control {
 
-// The part of the error allowed to a frame at which the controller aims: the estimate is not exact. scripts/tolerance counts the frames
-// that exceed what is allowed without a report.
+// The controller aims at this part of the error allowed to a frame, because the estimate is not exact. scripts/tolerance counts the frames
+// that exceed the allowed error without a report.
 inline constexpr double safety = 0.5;
 // Exponents of the proportional-integral controller, times 1 / order: K. Gustafsson, ACM Trans. Math. Softw. 17 (1991) 533-554.
 inline constexpr double integral_gain = 0.7, proportional_gain = 0.4;
-// The most by which a rejected frame is refined at once: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.2, use 5
-// to 10.
+// A rejected frame is refined by at most this factor at once. (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.2, use
+// 5 to 10.)
 inline constexpr int max_growth = 8;
-// Rejections in one frame after which methods are compared again; and the factor by which the substeps of a frame have changed since the
-// comparison. A comparison costs a few frames.
+// Methods are compared again after so many rejections in one frame, or when the substeps of a frame have changed by the factor
+// `selection_change` since the last comparison. A comparison costs a few frames.
 inline constexpr int max_rejections = 3;
 inline constexpr double selection_change = 4.0;
-// Where stability sets the step and the error is below this part of what is aimed at, up to so many frames are not estimated: an error that
-// doubles from frame to frame stays below it.
+// Where stability sets the step and the error is below this part of what is aimed at, up to `max_unestimated` frames are not estimated. An
+// error that doubles from frame to frame stays below the aim.
 inline constexpr double calm_ratio = 0.02;
 inline constexpr int max_unestimated = 3;
-// [rad], or relative length: such a frame is estimated nevertheless if any spring may turn or change its length by more within it.
+// [rad] or [1] Such a frame is estimated nevertheless if any spring may turn by more, or change its length by a larger part.
 inline constexpr double max_turn = 0.25;
-// [ms], and relative to the frame before: a frame that would cost more ends with the error that it has, and a report.
+// [ms], and [1] relative to the frame before: a frame that would cost more ends with the error that it has, and a report.
 inline constexpr double max_cost = 1000.0, max_cost_factor = 30.0;
 
-// [ms], below which the frame before counts as this long: so many times as much is still less than a displayed frame.
+// [ms] For `max_cost_factor`, the frame before counts as at least this long. A displayed frame is still longer than the product.
 inline constexpr double short_frame = 0.2;
-// The runs of an estimate together cost this much of the last one, with half of its substeps in the one before.
+// [1] Cost of the runs of an estimate, relative to the last run: the one before has half of its substeps.
 inline constexpr double cost_of_estimate = 1.5;
-// When methods are compared, one that misses the share gets the substeps that its order requires, times this margin: at least and at most
-// by these factors, and by the last one if its runs do not agree.
+// When methods are compared, one that misses the share gets the substeps that its order requires, times `trial_margin`. The substeps grow
+// at least and at most by these factors, and by `growth_on_failure` if the runs do not agree.
 inline constexpr double trial_margin = 1.1, min_trial_growth = 1.5, max_trial_growth = 1e3, growth_on_failure = 4.0;
 
-// [1], by which half the step is taken to reduce the error: two runs do not show it and count as much as a method of order 2, three count
-// what they show, at least as much as one of order 1.
+// [1] How much half the step reduces the error. Two runs do not show it, and count at most as a method of order 2. Three runs show it, and
+// count at least as a method of order 1.
 inline constexpr double max_assumed_reduction = 4.0, min_reduction = 2.0;
-// [1], the order up to which the path of a step is nearly the parabola that contact takes it for.
+// [1] Up to this order, the path of a step is nearly the parabola that contact assumes.
 inline constexpr int parabolic_order = 2;
 
-// The error of a frame by a second run. [1], by which the tolerance of a method that chooses its steps is tightened: to the order 8 of
-// dop853 as half the step is, with contact, and without; and [m], the least.
+// The error of a frame by a second run: factors [1] for the tolerance of a method that chooses its steps. The first corresponds to half the
+// step of dop853 (order 8); the others are with contact, and without. The result is at least `min_tolerance` [m].
 inline constexpr double tighter_as_half_step = 1.0 / 256.0, tighter_with_contact = 0.1, tighter = 1e-3, min_tolerance = 1e-15;
-// Where a method dissipates the fastest vibration, so that less than this part of the square of its amplitude [1] is left of it after a
-// frame, the second run is that of a method that keeps it: with substeps shorter than the linear limit by a margin [1], which change no
-// dashpot by more than this [1], if it costs no more than this [ms] or this many times the frame [1].
+// A method may dissipate the fastest vibration: less than `kept_vibration` [1] of the square of its amplitude is left after a frame. Then
+// the second run is that of a method that keeps it. Its substeps are shorter than the linear limit by `resolving_margin` [1], and than the
+// decay of dashpots by `resolving_decay` [1]. It costs at most `cheap_run` [ms] or `cost_of_half_step` times the frame.
 inline constexpr double kept_vibration = 0.8, resolving_margin = 1.5, resolving_decay = 0.25, cheap_run = 2.0, cost_of_half_step = 2.0;
 
-// The model of the cost, in [ns] on a core of 2023 for each of these, measured with `hooke bench --kernels`; within a factor of 1.5. Ratios
-// decide, and they hardly depend on the machine.
+// The model of the cost in [ns] on a core of 2023, measured with `hooke bench --kernels`, within a factor of 1.5. Only ratios matter, and
+// they hardly depend on the machine.
 // A force evaluation: each spring, each point, and the call. [1], of methods without fused kicks and drifts: passes over all points.
 inline constexpr double spring_cost = 2.8, point_cost = 0.4, call_cost = 80.0, unfused_factor = 1.45;
 // The strain limit: each spring in each sweep, and sweeps [1] that are expected.

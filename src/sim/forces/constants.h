@@ -5,39 +5,39 @@
 
 namespace hooke {
 
-// [m], of the positions in a step, of methods that adapt it.
+// [m] Error of the positions in a step, for methods that adapt the step.
 inline constexpr double default_tolerance = 1e-8;
 
-// [m^2], of the ends of a dashpot: shorter springs have no well-defined direction, and the factor of the impulse may overflow.
+// [m^2] Shorter dashpots do not act: they have no well-defined direction, and the factor of the impulse may overflow.
 inline constexpr double min_dashpot_length_squared = 1e-280;
 
-// The strain limit: rounds over all springs (X. Provot 1995 uses a few), the part of its limit by which a spring may be too long at their
-// end [1], and the ratio to it up to which shortening conserves angular momentum [1]: a spring that is longer was not shortened before, and
-// its ends would be accelerated in every round.
+// The strain limit: rounds over all springs (X. Provot 1995 uses a few). At their end, a spring may exceed its limit by `limit_tolerance`
+// [1]. Up to `max_conserving_ratio` [1] times the limit, shortening conserves angular momentum. In a longer spring, this would accelerate
+// the ends in every round.
 inline constexpr int max_limit_rounds = 16;
 inline constexpr double limit_tolerance = 1e-9, max_conserving_ratio = 1.01;
 
-// The power of listed forces, drag and dashpots is integrated by Simpson's rule up to this rate times the step [1] and this second
-// difference, relative to the power [1]. With a larger product the rule yields more than implicit methods dissipate, by a fraction of (rate
-// h)^2 / 12, which would appear as a gain; points faster than the air have higher rates than the estimate, and then the power changes by
-// more than a part of itself.
+// The power of listed forces, drag and dashpots is integrated by Simpson's rule up to this rate times the step [1], and up to
+// `max_power_bend` [1], its second difference relative to itself. At higher rates the rule yields more than implicit methods dissipate, by
+// a fraction of (rate h)^2 / 12, which would appear as a gain. The second bound is for points faster than the air, whose rates exceed the
+// estimate.
 inline constexpr double max_resolved_rate = 0.3, max_power_bend = 0.2;
 
-// [1], of the energy of its motion far away, by which a force may change that of a point within a step without being resolved.
+// [1] A force need not be resolved if it changes the energy of a point by at most this part within a step.
 inline constexpr double max_unresolved_change = 0.01;
 
-// [1], of its full volume, below which the pressure of an enclosure does not increase further: it is finite at volume zero.
+// [1] Below this part of its full volume, the pressure of an enclosure does not increase further. So it is finite at volume zero.
 inline constexpr double min_volume_ratio = 0.05;
-// [1], of its full volume, that an enclosure of the estimate of stiffness has at least.
+// [1] The estimate of the stiffness of an enclosure assumes at least this part of its full volume.
 inline constexpr double estimated_volume_ratio = 2.0 / 3.0;
 
 // Sticky planes. [m], within which a point counts as touching, and [m/s], the speed away from the plane at which it is not at rest on it,
 // and of the velocities [1]: contact places resting points on the surface to round-off. [m], [m/s], round-off itself.
 inline constexpr double sticky_distance = 1e-9, sticky_speed = 1e-9, sticky_round_off = 1e-13;
 
-// [1], the perimeter of an isosceles right triangle, relative to its short sides: faces of the estimate of the stiffness of wind.
+// [1] Perimeter of an isosceles right triangle, relative to its short sides, for the estimate of the stiffness of wind.
 inline constexpr double perimeter_of_face = 3.4;
-// [cells], of a row of quads from which vectors pay.
+// [cells] From this length of a row of quads on, vector instructions pay.
 inline constexpr Index min_face_cells = 4;
 
 }  // namespace hooke

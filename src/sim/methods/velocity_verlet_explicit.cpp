@@ -59,7 +59,7 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator velocity_verlet_explicit{
     .id = "velocity_verlet_explicit",
     .label = "Verlet, explicit damping",
-    .summary = "Velocity Verlet for weak dashpots and wind: everything evaluated once per step, which dashpots limit.",
+    .summary = "Velocity Verlet for weak dashpots and wind: faster, because all forces are evaluated once per step.",
     .cost = "one force evaluation per step",
     .formula =
         "v = E v + phi a,   E = e^(-c h/2), phi = (1 - E) / c\n"

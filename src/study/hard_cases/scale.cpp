@@ -52,8 +52,8 @@ constinit const HardCase large_coordinates_case{
     .parameters = "net of 8 x 8, 1e3 m and 1e5 m from the origin, 0.5 s",
     .criterion = "trajectories equal to 1e-9 m",
     .remark =
-        "dop853, whose tolerance cannot be below the rounding error of such coordinates (1e-14 of them), may have an error of 1e-8 m; auto "
-        "runs with a tolerance of 1e-7 m/s, and has twice that; drawing relative to the camera is covered by the tests of drawing",
+        "the tolerance of dop853 cannot be below the rounding error of such coordinates (1e-14 of them): its error may be 1e-8 m, that of "
+        "auto at a tolerance of 1e-7 m/s twice as much",
     .judge = judge_large_coordinates,
 };
 

@@ -136,7 +136,7 @@ constinit const HardCase rope_heap_case{
     .criterion = "ropes stay more than a quarter of their thickness apart; the energy rises by less than 1e-2 of that supplied",
     .remark =
         "two ropes start 3.8 mm apart, and are 7.4 mm apart after a frame; impacts compress the heap, because the sweeps do not solve for "
-        "all of its impulses together; that no rope passes through another is counted in every substep by a test (scripts/contact)",
+        "all impulses together; scripts/contact checks in every substep that no rope passes through another",
     .slow_under = slow_methods,
     .judge = judge_rope_heap,
 };

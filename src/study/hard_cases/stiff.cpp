@@ -202,8 +202,8 @@ constinit const HardCase crumpled_sheet_case{
         "frames with nine other random seeds",
     .criterion = "the energy of implicit_euler and baraff_witkin never rises, that of the others by at most 2 %",
     .remark =
-        "in a run a solve is limited to 20 factorizations, and these scenes need more: it then stops early, below the energy it started "
-        "from, and is reported; \"never\" means by less than 1e-9 of the energy: baraff_witkin gains up to 3e-10 of it at 4e6",
+        "a solve is limited to 20 factorizations, and these scenes need more: it stops early, with less energy than it started from, and "
+        "is reported; \"never\" means by less than 1e-9 of the energy (baraff_witkin gains up to 3e-10 at 4e6)",
     .slow_under = method_list<dop853, tr_bdf2, esdirk4>,
     .judge = judge_crumpled_sheet,
 };

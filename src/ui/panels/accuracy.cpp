@@ -100,7 +100,7 @@ void energy_section(const Accuracy& accuracy) {
   energy_row({"Method", balance.method()}, scale);
   energy_row({"Sum", balance.change}, scale);
   explanation(
-      "Energy gained and lost since the start. What no force explains is due to the method. A closed balance does not prove that the "
+      "Energy gained and lost since the start; what no force explains is due to the method. A closed balance does not prove that the "
       "motion is right.");
 }
 

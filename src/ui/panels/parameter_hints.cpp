@@ -67,27 +67,24 @@ void step_remark(const Snapshot& snapshot) {
     text += ", " + number_text(std::floor(100.0 * fraction)) + " % of the limit";
   else
     text += (snapshot.is_limited_by_contact ? " (contact limit " : " (limit ") + number_text(snapshot.omega * limit, 3) + ")";
-  std::string description = "Highest angular frequency of the scene times the step. Beyond the limit, the simulation can blow up.";
-  if (anything && !snapshot.step_limit.empty())
-    description += " Of " + snapshot.settings.integrator->short_name() + ": " + snapshot.step_limit + ".";
+  const std::string method = snapshot.settings.integrator->short_name();
+  std::string description = "Highest angular frequency of the scene times the step. The simulation can blow up beyond the limit of " +
+                            method + (anything && !snapshot.step_limit.empty() ? ": " + snapshot.step_limit + "." : ".");
   if (anything && limit > 0.0 && fraction > 1.0) {
     // the substeps that are needed, and why more are recommended
     const double needed = std::ceil(1.0 / (snapshot.settings.frame_rate * limit)), with_margin = snapshot.recommended_margin * needed;
     const double recommended = snapshot.recommended_substeps;
     const std::string times = std::to_string(snapshot.recommended_margin);
-    description = text + ". Of " + snapshot.settings.integrator->short_name() + ": " + snapshot.step_limit + "; ";
+    description = text + " with " + method + ": " + snapshot.step_limit + ". Use ";
     if (recommended == 0.0) {
-      description +=
-          "too many are needed where points pass the center of a force or colliders oscillate. A method that adapts its steps is "
-          "recommended.";
+      description += "a method that adapts its steps, because points pass the center of a force or colliders oscillate too fast.";
       short_text = "use " + std::string(adaptive_integrator().id);
     } else if (recommended > with_margin) {
       description +=
-          number_text(recommended) + " are recommended, which resolve how fast points pass the center of a force and colliders oscillate.";
+          number_text(recommended) + " substeps, which resolve how fast points pass the center of a force and colliders oscillate.";
       short_text = "use " + number_text(recommended);
     } else {
-      description += number_text(recommended) + " are recommended: " + times +
-                     " times as many, a measured margin for springs that stretch and rotate far.";
+      description += number_text(recommended) + ", " + times + " times as many: a measured margin for springs that stretch and rotate far.";
       short_text = "use " + number_text(recommended) + " (" + times + "\u00d7)";
     }
     name = (snapshot.is_limited_by_contact ? "contact limit " : "linear limit ") + number_text(needed);
@@ -101,9 +98,8 @@ void sag_remark(const Forecast& forecast) {
          forecast.sag                  ? sag_text(*forecast.sag)
          : forecast.why_no_sag.empty() ? computing
                                        : forecast.why_no_sag,
-         "Largest displacement that gravity causes at rest, compared with the unloaded shape. Not available if a part, such as a "
-         "loose ball, is attached to no nailed point: nail a point of it (N). Nor if colliders or other forces act, or for more than 1,700 "
-         "points.");
+         "Largest displacement by gravity at rest, compared with the unloaded shape. Needs a nail (N) in every part, no colliders or other "
+         "forces, and at most 1,700 points.");
 }
 
 void ratio_remark(double (*ratio)(const Forecast&, const Mode&), const std::string& of, const Forecast& forecast) {
