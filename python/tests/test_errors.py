@@ -49,6 +49,7 @@ refused = [
     (lambda: pair().run(1, substeps=10**30), "substeps: 1e+30: must be", ""),
     (lambda: pair().run(1, accuracy="ful"), "accuracy: ful: must be one of off, frame, full; did you mean full?", ""),
     (lambda: pair().run(1, quantities=["time"]), "quantities: requires csv", ""),
+    (lambda: pair().run(1, csv="/tmp/a", json="/tmp/a"), "csv /tmp/a: is the file of json too", ""),
     (lambda: pair().run(1, points=[2]), "points: 2: must be the number of one of the 2 points, from 0", ""),
     (lambda: pair().run(1, csv="/nowhere/a.csv"), "/nowhere/a.csv: cannot be written: No such file", ""),
     (lambda: pair().lab(accuracy="all"), "accuracy: all: must be one of off, frame, full", ""),
@@ -201,6 +202,16 @@ def test_invalid_files_are_refused_with_the_line_of_the_command_line(refusal, tm
             hooke.load(name)
         assert str(error.value) == refusal("run", str(name), "--seconds", "0")
         assert isinstance(error.value, OSError if kind is hooke.FileError else ValueError)
+
+
+def test_a_run_does_not_replace_its_scene(tmp_path):
+    file = tmp_path / "scene.json"
+    pair().save(file)
+    before = file.read_bytes()
+    for option in ("json", "csv", "pc2"):
+        with pytest.raises(hooke.UsageError, match=f"{option} .*scene.json: would replace the scene"):
+            hooke.load(file).run(0.1, **{option: file})
+    assert file.read_bytes() == before
 
 
 def test_refused_parts_change_nothing():
