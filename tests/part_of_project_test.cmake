@@ -49,6 +49,18 @@ endfunction()
 
 need("configure" ${CMAKE_COMMAND} -G Ninja -S ${BUILD}/project -B ${BUILD}/build -DHOOKE_UNITY_BUILD=ON
      "-DCMAKE_CXX_FLAGS=-O1 -DHWY_COMPILE_ONLY_STATIC" ${OPTIONS})
+# FetchContent adds the same folder; what it makes available is the target
+file(WRITE ${BUILD}/fetching/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
+project(fetching LANGUAGES CXX)
+include(FetchContent)
+FetchContent_Declare(hooke SOURCE_DIR \${CMAKE_CURRENT_SOURCE_DIR}/../project/hooke)
+FetchContent_MakeAvailable(hooke)
+if(NOT TARGET hooke::hooke OR TARGET hooke-headless)
+  message(FATAL_ERROR \"not the library alone\")
+endif()
+")
+need("configure with FetchContent" ${CMAKE_COMMAND} -G Ninja -S ${BUILD}/fetching -B ${BUILD}/fetching/build)
+file(REMOVE_RECURSE ${BUILD}/fetching)
 need("build" ${CMAKE_COMMAND} --build ${BUILD}/build --target cpp_program c_program)
 need("the program in C++" ${BUILD}/build/cpp_program)
 set(expected "${output}")

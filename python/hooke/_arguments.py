@@ -15,9 +15,18 @@ from ._hooke import InputError, UsageError
 Value = TypeVar("Value")
 
 
-def _shown(value: Any) -> str:
-    text = " ".join(repr(value).split())
-    return text if len(text) <= 80 else text[:77] + "..."
+def brief(value: Any) -> str:
+    """Its representation in one short line."""
+    try:
+        line = " ".join(repr(value).split())
+    except Exception:  # a whole number of too many digits, or what has a representation that fails
+        line = f"<{type(value).__name__}>"
+    return line if len(line) <= 80 else line[:77] + "..."
+
+
+def named(name: Any) -> str:
+    """A name as it is, unless it is long, not printable, or no name."""
+    return name if isinstance(name, str) and len(name) <= 80 and name.isprintable() else brief(name)
 
 
 def optional(convert: Callable[[str, Any], Value], name: str, value: Any) -> Value | None:
@@ -33,12 +42,14 @@ def as_float(value: Any) -> float:
 
 def number(name: str, value: Any) -> float:
     """A real number."""
-    if isinstance(value, (str, bytes, bool, np.bool_, complex)) or np.ndim(value) > 0:
-        raise TypeError(f"{name}: {_shown(value)}: must be a number")
     try:
-        return as_float(value)
+        if not isinstance(value, (str, bytes, bool, np.bool_, complex)) and np.ndim(value) == 0:
+            return as_float(value)
+    except OverflowError:
+        raise UsageError(f"{name}: {brief(value)}: must be a finite number") from None
     except (TypeError, ValueError):
-        raise TypeError(f"{name}: {_shown(value)}: must be a number") from None
+        pass
+    raise TypeError(f"{name}: {brief(value)}: must be a number")
 
 
 def import_options(weld: float | None, scale: float | None, up: str | None) -> dict[str, str]:
@@ -57,34 +68,56 @@ def integer(name: str, value: Any) -> int:
         else:
             if abs(whole) < 2**53:
                 return whole
-            raise UsageError(f"{name}: {whole:g}: must be less than 2^53")
-    raise TypeError(f"{name}: {_shown(value)}: must be a whole number")
+            raise UsageError(f"{name}: {f'{whole:g}' if abs(whole) < 10**300 else brief(whole)}: must be less than 2^53")
+    raise TypeError(f"{name}: {brief(value)}: must be a whole number")
 
 
 def text(name: str, value: Any) -> str:
     """A string."""
     if not isinstance(value, str):
-        raise TypeError(f"{name}: {_shown(value)}: must be a string")
+        raise TypeError(f"{name}: {brief(value)}: must be a string")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise UsageError(f"{name}: {brief(value)}: must be text in Unicode, without lone surrogates") from None
     return value
+
+
+def flag(name: str, value: Any) -> bool:
+    """True or False; 1 and 0 are that, too."""
+    if isinstance(value, (bool, np.bool_)) or (isinstance(value, (int, np.integer)) and 0 <= value <= 1):
+        return bool(value)
+    raise TypeError(f"{name}: {brief(value)}: must be True or False")
+
+
+def mapping(name: str, value: Any) -> dict[Any, Any]:
+    """A dictionary, or what makes one."""
+    try:
+        return dict(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: {brief(value)}: must be a dictionary") from None
 
 
 def path(name: str, value: Any) -> bytes:
     """The name of a file, with any bytes that the system allows."""
     try:
-        return os.fsencode(value)
-    except TypeError:
-        raise TypeError(f"{name}: {_shown(value)}: must be the path of a file") from None
+        file = os.fsencode(value)
+    except (TypeError, UnicodeEncodeError):
+        raise TypeError(f"{name}: {brief(value)}: must be the path of a file") from None
+    if b"\0" in file:
+        raise UsageError(f"{name}: {brief(value)}: must be without null characters")
+    return file
 
 
 def names(name: str, value: str | Sequence[str]) -> list[str]:
     """A list of strings; one string is a list of one."""
     try:
-        return [value] if isinstance(value, str) else [text(name, item) for item in value]
+        return [text(name, value)] if isinstance(value, str) else [text(name, item) for item in value]
     except TypeError:
-        raise TypeError(f"{name}: {_shown(value)}: must be a list of strings") from None
+        raise TypeError(f"{name}: {brief(value)}: must be a list of strings") from None
 
 
-def _as_array(name: str, value: ArrayLike, kinds: str, wanted: str) -> NDArray[Any]:
+def plain_array(name: str, value: ArrayLike, kinds: str, wanted: str) -> NDArray[Any]:
     try:
         array = np.asarray(value)
     except ValueError:  # rows of different lengths
@@ -92,23 +125,35 @@ def _as_array(name: str, value: ArrayLike, kinds: str, wanted: str) -> NDArray[A
     if array.size == 0 and array.dtype.kind == "f":
         return array
     if array.dtype.kind not in kinds:
-        raise TypeError(f"{name}: {_shown(value)}: must be {wanted}")
+        raise TypeError(f"{name}: {brief(value)}: must be {wanted}")
     return array
 
 
 def array(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """Numbers as float64, C-contiguous: without a copy if they are that already."""
-    return np.asarray(_as_array(name, value, "biuf", "numbers"), dtype=np.float64, order="C")
+    return np.asarray(plain_array(name, value, "biuf", "numbers"), dtype=np.float64, order="C")
 
 
 def whole_numbers(name: str, value: ArrayLike) -> NDArray[np.int64]:
     """Whole numbers, such as those of points."""
-    return np.asarray(_as_array(name, value, "iu", "whole numbers"), dtype=np.int64, order="C")
+    whole = plain_array(name, value, "iu", "whole numbers")
+    for extreme in (whole.min(), whole.max()) if whole.size > 0 else ():
+        if abs(int(extreme)) >= 2**31:
+            raise UsageError(f"{name}: {extreme}: must be less than 2^31")
+    return np.asarray(whole, dtype=np.int64, order="C")
+
+
+def numbers_of(name: str, value: ArrayLike) -> list[int]:
+    """The number of a point or another part, or a list of such numbers."""
+    listed = np.atleast_1d(whole_numbers(name, value))
+    if listed.ndim > 1:
+        raise InputError(f"{name}: shape {listed.shape}: must be one number or a list of numbers")
+    return listed.tolist()  # type: ignore[no-any-return]
 
 
 def switches(name: str, value: ArrayLike) -> NDArray[np.bool_]:
     """True or False for each."""
-    return np.asarray(_as_array(name, value, "b", "True or False"), dtype=bool)
+    return np.asarray(plain_array(name, value, "b", "True or False"), dtype=bool)
 
 
 def json_value(name: str, value: Any) -> Any:
@@ -123,4 +168,4 @@ def json_value(name: str, value: Any) -> Any:
         raise InputError(f"{name}: {value}: must be a finite number")
     if value is None or isinstance(value, (str, bool, int, float)):
         return value
-    raise TypeError(f"{name}: {_shown(value)}: must be a number, a string or a list")
+    raise TypeError(f"{name}: {brief(value)}: must be a number, a string or a list")

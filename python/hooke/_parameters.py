@@ -19,7 +19,7 @@ def setting_text(value: Any) -> str:
         return "on" if value else "off"
     if isinstance(value, (float, np.floating)):
         return repr(as_float(value))
-    return str(value)
+    return text("value", str(value))
 
 
 class Parameterized:
@@ -42,7 +42,7 @@ class Parameterized:
         self._bound.set(text("name of a parameter", name), setting_text(value))
 
     def __contains__(self, name: object) -> bool:
-        return any(row["name"] == name for row in _hooke.parameters())
+        return isinstance(name, str) and any(row["name"] == name for row in _hooke.parameters())
 
     __iter__: None = None  # or Python would try the parameters 0, 1, ...
 

@@ -10,7 +10,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from . import _hooke
-from ._arguments import array
+from ._arguments import array, text
 from ._parameters import Array
 from .tables import shape_text
 
@@ -26,11 +26,11 @@ class Shapes:
         A field that is a keyword of Python has an underscore at its end: from_.
         """
         named = {name.removesuffix("_"): value for name, value in fields.items() if value is not None}
-        return self._add("generators", {"type": type, **named}, f"add_{type}" if hasattr(Shapes, f"add_{type}") else "add_shape")
+        return self._add("generators", {"type": text("type", type), **named}, f"add_{type}" if hasattr(Shapes, f"add_{type}") else "add_shape")
 
     def add_collider(self, type: str, **fields: Any) -> None:
         """Adds a "plane" (point, normal), a "sphere" (center, radius) or a "box" (min, max) [m]; restitution, friction [1]."""
-        self._add("colliders", {"type": type, **fields}, "add_collider")
+        self._add("colliders", {"type": text("type", type), **fields}, "add_collider")
 
     def add_force(self, force: str | Callable[[float, Array, Array], ArrayLike], **fields: Any) -> None:
         """Adds a force of the table in docs/reference/scene-format.md, such as "wind", or a function.
@@ -43,7 +43,7 @@ class Shapes:
             function = force
             self._bound.add_force(lambda time, positions, velocities: array("forces", function(time, positions, velocities)))
         else:
-            self._add("forces", {"type": force, **fields}, "add_force")
+            self._add("forces", {"type": text("force", force), **fields}, "add_force")
 
     def _add(self, key: str, item: dict[str, Any], caller: str) -> range:
         raise NotImplementedError

@@ -7,11 +7,11 @@ import os
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _hooke
-from ._arguments import import_options, integer, names, path, text, optional, whole_numbers
+from ._arguments import flag, import_options, integer, names, numbers_of, optional, path, text
+from ._hooke import InputError
 from ._progress import bar
 from .results import Chart, Check, Replay, Sweep
 from .scene import CaptureResult, _capture_options, load
@@ -26,14 +26,17 @@ def bench(scenes: str | Sequence[str] = (), methods: str | Sequence[str] = (), *
     shard: "2/8" measures the second of eight parts; merge_benches puts the folders of all parts together
     out: a folder for the results, from which the same call resumes
     """
-    arguments = (names("scenes", scenes), names("methods", methods), bool(quick), text("shard", shard), optional(path, "out", out))
+    arguments = (names("scenes", scenes), names("methods", methods), flag("quick", quick), text("shard", shard), optional(path, "out", out))
     with bar("bench", progress, "part") as shown:
         return Chart(*_hooke.bench_names(*arguments, shown))
 
 
 def merge_benches(folders: Sequence[str | os.PathLike[str]], out: str | os.PathLike[str]) -> Chart:
     """Writes one table of the parts of a benchmark in these folders, as `hooke bench --merge`."""
-    return Chart(*_hooke.merge_benches([path("folders", folder) for folder in folders], path("out", out)))
+    parts = [path("folders", folder) for folder in folders]
+    if not parts:
+        raise InputError("folders: must not be empty")
+    return Chart(*_hooke.merge_benches(parts, path("out", out)))
 
 
 def merge_sweeps(folders: Sequence[str | os.PathLike[str]], out: str | os.PathLike[str]) -> Sweep:
@@ -57,8 +60,8 @@ class HardCases(NamedTuple):
 def check_hard(cases: ArrayLike = (), methods: str | Sequence[str] = (), *, quick: bool = False, strict: bool = False, threads: int = 0,
                progress: bool | None = None) -> HardCases:
     """Runs every method on the hard cases, as `hooke check --hard`: also `auto`, unless quick. threads: by default one per core."""
-    chosen = np.atleast_1d(whole_numbers("cases", cases)).tolist()
-    arguments = (chosen, names("methods", methods), bool(quick), bool(strict), integer("threads", threads))
+    arguments = (numbers_of("cases", cases), names("methods", methods), flag("quick", quick), flag("strict", strict),
+                 integer("threads", threads))
     with bar("hard cases", progress, "case") as shown:
         document, broken = _hooke.check_hard(*arguments, shown)
     return HardCases(json.loads(document)["cases"], broken)

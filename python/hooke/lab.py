@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _hooke
-from ._arguments import array, integer, number, optional, path, text, whole_numbers
+from ._arguments import array, flag, integer, number, numbers_of, optional, path, text
 from ._parameters import Array, Parameterized
 from ._progress import bar
 
@@ -174,12 +174,11 @@ class Lab(Parameterized):
 
     def nail(self, points: ArrayLike, nailed: bool = True) -> None:
         """Nails points in place, or releases them."""
-        self._bound.nail(np.atleast_1d(whole_numbers("points", points)).tolist(), bool(nailed))
+        self._bound.nail(numbers_of("points", points), flag("nailed", nailed))
 
     def remove(self, points: ArrayLike = (), springs: ArrayLike = ()) -> None:
         """Removes points, with the springs attached to them, and springs. Later points and springs move up in the arrays."""
-        self._bound.remove(np.atleast_1d(whole_numbers("points", points)).tolist(),
-                           np.atleast_1d(whole_numbers("springs", springs)).tolist())
+        self._bound.remove(numbers_of("points", points), numbers_of("springs", springs))
 
     def set_integrator(self, integrator: str) -> None:
         """Continues with another method, from the next frame on."""

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _hooke
-from ._arguments import array, names, path, text
+from ._arguments import array, named, names, number, path, text
 from ._hooke import InputError, UnknownNameError, UsageError
 from ._progress import bar
 
@@ -135,7 +135,7 @@ class Run:
         """
         chosen = names("with_respect_to", with_respect_to)
         if unknown := [name for name in chosen if name not in _gradients]:
-            raise UnknownNameError(f"with_respect_to: {unknown[0]}: must be one of {', '.join(_gradients)}")
+            raise UnknownNameError(f"with_respect_to: {named(unknown[0])}: must be one of {', '.join(_gradients)}")
         if self._start is None:
             raise UsageError("gradient: a run that was pickled has none")
         if self.diverged:
@@ -244,9 +244,17 @@ class Chart:
                 if error is None or error <= largest_error:
                     self.rows.append({"scene": problem["scene"], **row})
 
+    def _scene(self, name: str | None) -> str:
+        scenes: list[str] = [problem["scene"] for problem in self.problems]
+        if name is None and scenes:
+            return scenes[0]
+        if text("scene", name) not in scenes:
+            raise UnknownNameError(f"scene: {named(name)}: must be one of {', '.join(scenes)}")
+        return str(name)
+
     def front(self, scene: str | None = None) -> list[dict[str, Any]]:
         """The rows that no other row beats in both error and cost, cheapest first. Scene: by default the first one."""
-        scene = scene or self.problems[0]["scene"]
+        scene = self._scene(scene)
         known = [row for row in self.rows if row["scene"] == scene and row["error_m"] is not None and row["cpu_ms_per_s"] is not None]
         front: list[dict[str, Any]] = []
         for row in sorted(known, key=lambda row: (row["cpu_ms_per_s"], row["error_m"])):
@@ -256,7 +264,8 @@ class Chart:
 
     def cheapest(self, error: float, scene: str | None = None) -> dict[str, Any] | None:
         """The cheapest row whose error [m] is at most this; None if there is none."""
-        return next((row for row in self.front(scene) if row["error_m"] <= error), None)
+        limit = number("error", error)
+        return next((row for row in self.front(scene) if row["error_m"] <= limit), None)
 
     def save(self, folder: str | os.PathLike[str]) -> None:
         """Writes bench.json, .csv, .md, methods.md and, with gnuplot, bench.svg and bench.png, as `hooke bench --out FOLDER` does."""
@@ -269,7 +278,7 @@ class Chart:
 
         Without Matplotlib it raises ImportError; `save` draws charts with gnuplot.
         """
-        scene = scene or self.problems[0]["scene"]
+        scene = self._scene(scene)
         ax = ax or new_axes()[0]
         rows = [row for row in self.rows if row["scene"] == scene and row["error_m"] and row["cpu_ms_per_s"] is not None]
         for method in dict.fromkeys(row["method"] for row in rows):
@@ -323,7 +332,7 @@ class Sweep:
         """A column."""
         columns = self.columns
         if name not in columns:
-            raise UnknownNameError(f"{name}: must be one of {', '.join(columns)}")
+            raise UnknownNameError(f"{named(name)}: must be one of {', '.join(columns)}")
         return columns[name]
 
     def __len__(self) -> int:
@@ -347,7 +356,7 @@ class Sweep:
         """
         drawn = list(self.measures) if measure is None else [text("measure", measure)]
         if unknown := [name for name in drawn if name not in self.measures]:
-            raise UnknownNameError(f"{unknown[0]}: must be one of {', '.join(self.measures)}")
+            raise UnknownNameError(f"{named(unknown[0])}: must be one of {', '.join(self.measures)}")
         axes = new_axes(len(drawn)) if ax is None else [ax]
         over = max(self.vary, key=lambda name: len(np.unique(self.vary[name])))
         others = [name for name in self.vary if name != over]

@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _hooke
-from ._arguments import array, import_options, integer, json_value, names, number, optional, path, switches, text, whole_numbers
+from ._arguments import (array, brief, flag, import_options, integer, json_value, mapping, names, number, numbers_of, optional, path,
+                         plain_array, switches, text, whole_numbers)
 from ._hooke import InputError
 from ._parameters import Array, Parameterized, setting_text
 from ._progress import bar
@@ -65,8 +66,8 @@ def _capture_options(*, seconds: float | None = None, frames: int | None = None,
     return {
         "threads": integer("threads", threads), "device": text("device", device),
         "seconds": optional(number, "seconds", seconds), "frames": optional(integer, "frames", frames), "fps": optional(number, "fps", fps),
-        "size": "x".join(str(side) for side in whole_numbers("size", size).ravel()), "scale": number("scale", scale), "ui": bool(ui),
-        "stamp": bool(stamp), "report": optional(path, "report", report), "fail_above": optional(number, "fail_above", fail_above),
+        "size": "x".join(str(side) for side in whole_numbers("size", size).ravel()), "scale": number("scale", scale), "ui": flag("ui", ui),
+        "stamp": flag("stamp", stamp), "report": optional(path, "report", report), "fail_above": optional(number, "fail_above", fail_above),
         "camera": None if camera is None else ",".join(repr(float(value)) for value in array("camera", camera).ravel()),
     }
 
@@ -145,7 +146,7 @@ class Scene(Parameterized, Shapes):
     @classmethod
     def from_json(cls, document: str, name: str = "scene") -> Scene:
         """A scene from the text of a scene file; see docs/reference/scene-format.md. `name` stands for the file in messages."""
-        return cls._of(_hooke.Scene.parse(text("document", document), text("name", name)))
+        return cls._of(_hooke.Scene.parse(text("document", document), path("name", name)))
 
     def to_json(self) -> str:
         """The text of the scene file, which reads back as the same scene, bit for bit."""
@@ -233,7 +234,7 @@ class Scene(Parameterized, Shapes):
 
     @fixed.setter
     def fixed(self, fixed: Sequence[str]) -> None:
-        self._bound.fixed = list(fixed)
+        self._bound.fixed = names("fixed", fixed)
 
     @property
     def laws(self) -> list[dict[str, Any] | None]:
@@ -242,7 +243,7 @@ class Scene(Parameterized, Shapes):
 
     @laws.setter
     def laws(self, laws: Sequence[Mapping[str, Any] | None]) -> None:
-        self._bound.laws = [None if law is None else json.dumps(json_value(f"laws[{i}]", dict(law))) for i, law in enumerate(laws)]
+        self._bound.laws = [None if law is None else json.dumps(json_value(f"laws[{i}]", mapping(f"laws[{i}]", law))) for i, law in enumerate(laws)]
 
     @property
     def springs(self) -> NDArray[np.int64]:
@@ -333,11 +334,11 @@ class Scene(Parameterized, Shapes):
         progress: a tqdm bar, by default on terminals and in notebooks
         """
         columns = None if quantities is None else ",".join(names("quantities", quantities))
-        sampled = None if points is None else np.atleast_1d(whole_numbers("points", points)).tolist()
+        sampled = optional(numbers_of, "points", points)
         arguments = (number("seconds", seconds), optional(number, "sample", sample), text("accuracy", accuracy),
                      optional(path, "json", json), optional(path, "csv", csv), columns, optional(path, "pc2", pc2), sampled)
         if on_frame is not None and not callable(on_frame):
-            raise TypeError(f"on_frame: {on_frame!r}: must be a function")
+            raise TypeError(f"on_frame: {brief(on_frame)}: must be a function")
         control = None if on_frame is None else _control(on_frame)
         execution = (integer("threads", threads), text("precision", precision), text("device", device))
         start = self._stepped(integrator, substeps, frame_rate, tolerance)
@@ -373,7 +374,7 @@ class Scene(Parameterized, Shapes):
             largest, smallest = float(ends.max()), float(ends.min())
         chosen = names("methods", methods)
         with bar("bench", progress, "method") as shown:
-            return Chart(*_hooke.bench_scene(self._bound, chosen, bool(quick), smallest, text("shard", shard), optional(path, "out", out),
+            return Chart(*_hooke.bench_scene(self._bound, chosen, flag("quick", quick), smallest, text("shard", shard), optional(path, "out", out),
                                              shown), largest)
 
     def sweep(self, vary: Mapping[str, ArrayLike | str], measure: str | Sequence[str], seconds: float, *, integrator: str | None = None,
@@ -388,17 +389,17 @@ class Scene(Parameterized, Shapes):
         out: a folder for the table and charts, from which the same call resumes
         processes: that share the runs, to the same table; they start a new interpreter each, in which the main module is imported
         """
-        if (parts := integer("processes", processes)) < 1:
-            raise InputError(f"processes: {parts}: must be at least 1")
+        axes, vary = [], mapping("vary", vary)
+        if not 1 <= (parts := integer("processes", processes)) <= 256:
+            raise InputError(f"processes: {parts}: must be from 1 to 256")
         if parts > 1:
             if shard != "1/1":
                 raise InputError("processes: excludes shard")
-            return self._sweep_in_parts(parts, out, vary=dict(vary), measure=measure, seconds=seconds, integrator=integrator,
+            return self._sweep_in_parts(parts, out, vary=vary, measure=measure, seconds=seconds, integrator=integrator,
                                         substeps=substeps, frame_rate=frame_rate, tolerance=tolerance, progress=False)
-        axes = []
-        for name, values in dict(vary).items():
-            listed = values if isinstance(values, str) else ",".join(setting_text(value) for value in np.atleast_1d(np.asarray(values)))
-            axes.append(f"{text('vary', name)}={listed}")
+        for name, values in vary.items():
+            listed = values if isinstance(values, str) else ",".join(setting_text(value) for value in np.atleast_1d(plain_array(f"vary: {name}", values, "biufU", "numbers or words")))
+            axes.append(text("vary", f"{text('vary', name)}={listed}"))
         measures = ",".join(names("measure", measure))
         for name, given in (("vary", axes), ("measure", measures)):
             if not given:

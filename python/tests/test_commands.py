@@ -23,6 +23,8 @@ def test_a_benchmark_measures_the_methods_and_its_front(chart):
     front = chart.front()
     assert all(a["cpu_ms_per_s"] <= b["cpu_ms_per_s"] and a["error_m"] > b["error_m"] for a, b in zip(front, front[1:]))
     assert chart.cheapest(1e9) == front[0] and chart.cheapest(0) is None
+    with pytest.raises(KeyError, match="scene: nowhere: must be one of "):
+        chart.front("nowhere")
 
 
 def test_a_chart_is_drawn_with_matplotlib(chart):

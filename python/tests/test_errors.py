@@ -49,6 +49,7 @@ refused = [
     (lambda: pair().run(1, substeps=10**30), "substeps: 1e+30: must be", ""),
     (lambda: pair().run(1, accuracy="ful"), "accuracy: ful: must be one of off, frame, full; did you mean full?", ""),
     (lambda: pair().run(1, quantities=["time"]), "quantities: requires csv", ""),
+    (lambda: pair().run(1, csv="/tmp/a", json="/tmp/a"), "csv /tmp/a: is the file of json too", ""),
     (lambda: pair().run(1, points=[2]), "points: 2: must be the number of one of the 2 points, from 0", ""),
     (lambda: pair().run(1, csv="/nowhere/a.csv"), "/nowhere/a.csv: cannot be written: No such file", ""),
     (lambda: pair().lab(accuracy="all"), "accuracy: all: must be one of off, frame, full", ""),
@@ -100,6 +101,19 @@ refused = [
     (lambda: pair().capture("a.png", fps=1000), "fps: 1000: must be at most the frame rate of the scene, 60", ""),
     (lambda: pair().capture("a.png", fail_above=0), "fail_above: 0: must be more than 0", ""),
     (lambda: pair().sweep({}, "max_strain", 1), "vary: must not be empty", ""),
+    (lambda: pair().sweep({"stiffness": [1]}, "total", 1, processes=10**9), "processes: 1000000000: must be from 1 to 256", ""),
+    (lambda: hooke.merge_benches([], "/tmp"), "folders: must not be empty", ""),
+    (lambda: pair().run(10**400), "seconds: 1000000000", "...: must be a finite number"),
+    (lambda: pair().run(1, substeps=10**400), "substeps: 1000000000", "...: must be less than 2^53"),
+    (lambda: pair().run(1, substeps=10**5000), "substeps: <int>: must be less than 2^53", ""),
+    (lambda: pair().run(1, integrator="\ud800"), "integrator: '\\ud800': must be text in Unicode", ""),
+    (lambda: pair().sweep({"stiffness": "\ud800"}, "total", 1), "vary: 'stiffness=\\ud800': must be text in Unicode", ""),
+    (lambda: pair().run(1, json="a.json\0.png"), "json: 'a.json\\x00.png': must be without null characters", ""),
+    (lambda: pair().run(1, points=[[0, 1]]), "points: shape (1, 2): must be one number or a list of numbers", ""),
+    (lambda: pair().run(1, points=np.uint64([2**64 - 1])), "points: 18446744073709551615: must be less than 2^31", ""),
+    (lambda: hooke.check_hard(2**40), "cases: 1099511627776: must be less than 2^31", ""),
+    (lambda: setattr(pair(), "fixed", "xy"), "fixed: 1 values: must be 2", ""),
+    (lambda: hooke.load("x" * 200000 + ".json"), "xxx...xxx", ".json: no such file"),
     (lambda: pair().sweep({"stifness": [1]}, "max_strain", 1), "vary: stifness=1: no such parameter: ", "; did you mean stiffness?"),
     (lambda: pair().sweep({"stiffness": [1, nan]}, "max_strain", 1), "vary: stiffness=1.0,nan: nan: not a number: must be", ""),
     (lambda: pair().sweep({"stiffness": [1]}, "speed", 1), "measure: speed: must be one of ", ""),
@@ -142,6 +156,16 @@ def test_a_refused_value_is_named_with_its_limit(call, beginning, end):
     (lambda: pair().bench(5), "methods: 5: must be a list of strings"),
     (lambda: pair().capture("a.png", size=(10.5, 10)), "size: (10.5, 10): must be whole numbers"),
     (lambda: pair().capture("a.png", fps="x"), "fps: 'x': must be a number"),
+    (lambda: pair().run([[1], [1, 2]]), "seconds: [[1], [1, 2]]: must be a number"),
+    (lambda: pair().run(1, on_frame=np.zeros((2, 2))), "on_frame: array([[0., 0.], [0., 0.]]): must be a function"),
+    (lambda: hooke.load("\ud800"), "name: '\\ud800': must be the path of a file"),
+    (lambda: setattr(pair(), "fixed", [0, 1]), "fixed: [0, 1]: must be a list of strings"),
+    (lambda: setattr(pair(), "laws", ["cable"]), "laws[0]: 'cable': must be a dictionary"),
+    (lambda: pair().sweep("stiffness", "total", 1), "vary: 'stiffness': must be a dictionary"),
+    (lambda: pair().sweep({"stiffness": [[1], [1, 2]]}, "total", 1), "vary: stiffness: [[1], [1, 2]]: must be numbers or words"),
+    (lambda: pair().lab().nail([0, 1], [True, False]), "nailed: [True, False]: must be True or False"),
+    (lambda: pair().capture("a.png", ui="no"), "ui: 'no': must be True or False"),
+    (lambda: pair().add_shape(np.ma.array([1, 2])), "type: masked_array"),
     (lambda: pair().capture("a.png", colour=1), "unexpected keyword argument 'colour'"),
 ])
 def test_a_value_of_the_wrong_type_is_named(call, message):
@@ -178,6 +202,16 @@ def test_invalid_files_are_refused_with_the_line_of_the_command_line(refusal, tm
             hooke.load(name)
         assert str(error.value) == refusal("run", str(name), "--seconds", "0")
         assert isinstance(error.value, OSError if kind is hooke.FileError else ValueError)
+
+
+def test_a_run_does_not_replace_its_scene(tmp_path):
+    file = tmp_path / "scene.json"
+    pair().save(file)
+    before = file.read_bytes()
+    for option in ("json", "csv", "pc2"):
+        with pytest.raises(hooke.UsageError, match=f"{option} .*scene.json: would replace the scene"):
+            hooke.load(file).run(0.1, **{option: file})
+    assert file.read_bytes() == before
 
 
 def test_refused_parts_change_nothing():

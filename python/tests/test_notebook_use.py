@@ -76,12 +76,20 @@ def test_runs_sweeps_and_charts_are_copied():
     assert pickle.loads(pickle.dumps(chart)).rows == chart.rows
 
 
+def test_a_scene_is_pickled_whatever_its_file_is_called(tmp_path):
+    file = bytes(tmp_path) + b"/\xff.json"
+    hooke.load("two_masses").save(file)
+    scene = hooke.load(file)
+    made = pickle.loads(pickle.dumps(scene))
+    assert made.name == scene.name and made.hash == scene.hash
+
+
 def test_processes_share_a_sweep_to_the_same_table():
     scene = hooke.load("two_masses")
     arguments = ({"stiffness": [100, 150, 200], "substeps": [20, 40]}, ["total", "max:y1"], 0.1)
     alone, shared = scene.sweep(*arguments), scene.sweep(*arguments, processes=2)
     assert shared.is_complete and shared.to_csv() == alone.to_csv()
-    with pytest.raises(hooke.InputError, match="processes: 0: must be at least 1"):
+    with pytest.raises(hooke.InputError, match="processes: 0: must be from 1 to 256"):
         scene.sweep(*arguments, processes=0)
 
 

@@ -6,6 +6,7 @@
 #include "base/build_info.h"
 #include "base/file_limits.h"
 #include "base/finite.h"
+#include "base/printable.h"
 #include "base/threads/thread_team.h"
 #include "edit/append_parts.h"
 #include "edit/command.h"
@@ -23,13 +24,13 @@ auto guarded(Work work) {
   try {
     return work();
   } catch (const InputError& error) {
-    throw Error(Error::Kind::Input, error.what());
+    throw Error(Error::Kind::Input, without_middle(error.what()));
   } catch (const OptionError& error) {
-    throw Error(Error::Kind::Usage, error.as_argument());
+    throw Error(Error::Kind::Usage, without_middle(error.as_argument()));
   } catch (const UsageError& error) {
-    throw Error(Error::Kind::Usage, error.what());
+    throw Error(Error::Kind::Usage, without_middle(error.what()));
   } catch (const FileError& error) {
-    throw Error(Error::Kind::File, error.what());
+    throw Error(Error::Kind::File, without_middle(error.what()));
   }
 }
 

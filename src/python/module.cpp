@@ -6,6 +6,7 @@
 
 #include "base/build_info.h"
 #include "base/option_error.h"
+#include "base/printable.h"
 #include "base/read_file.h"
 #include "python/scene_binding.h"
 
@@ -33,17 +34,17 @@ PYBIND11_MODULE(_hooke, module) {
     try {
       if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const InputError& what) {
-      input(what.what());
+      input(without_middle(what.what()).c_str());
     } catch (const OptionError& what) {
-      usage(what.as_argument().c_str());
+      usage(without_middle(what.as_argument()).c_str());
     } catch (const python::UnknownName& what) {
-      unknown(what.what());
+      unknown(without_middle(what.what()).c_str());
     } catch (const UsageError& what) {
-      usage(what.what());
+      usage(without_middle(what.what()).c_str());
     } catch (const MissingFileError& what) {
-      missing(what.what());
+      missing(without_middle(what.what()).c_str());
     } catch (const FileError& what) {
-      file(what.what());
+      file(without_middle(what.what()).c_str());
     }
   });
 

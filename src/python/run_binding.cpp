@@ -95,6 +95,7 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
   RunRequest request{.seconds = seconds, .sample = sample, .accuracy = accuracy_named(accuracy)};
   if (sample) check_option("sample", *sample, positive);
   if (files.quantities && !files.csv) throw UsageError("quantities: requires csv");
+  require_separate_files(scene.name, {{"json", files.json}, {"csv", files.csv}, {"pc2", files.pc2}});
   const double frame_rate = scene.scene().settings.frame_rate;
   const long frames = count_frames(seconds, frame_rate);
   const auto lab = std::make_shared<NamedLab>(scene, KeepStart::No);

@@ -38,7 +38,7 @@ void load_theme(double scale, double density);
 // loaded.
 void follow_text(std::string_view text);
 bool needs_fonts();
-// What to install for these characters, returned once; empty: nothing.
+// What to install for these characters or because there is no DejaVu Sans, each returned once; empty: nothing.
 std::string missing_font();
 
 const Fonts& fonts();

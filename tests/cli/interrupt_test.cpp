@@ -116,13 +116,15 @@ TEST(Interrupt, ABenchmarkKeepsWhatWasMeasuredAndMarksIt) {
   EXPECT_EQ(files_in(scratch.folder / "out", "."), 0);
 }
 
-TEST(Interrupt, AScenesCheckKeepsItsResults) {
-  const ScratchFolder scratch;
-  const auto start = std::chrono::steady_clock::now();
-  const int code = code_after(SIGINT, "check --json checks.json", scratch.folder,
-                              [&] { return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(1500); });
-  EXPECT_EQ(code, 130);
-  EXPECT_TRUE(parse_json(contents(scratch.folder / "checks.json"))["interrupted"].GetBool());
+TEST(Interrupt, ChecksKeepTheirResultsAndMarkThem) {
+  for (const char* command : {"check --json checks.json", "check --hard --json checks.json -q"}) {
+    const ScratchFolder scratch;
+    const auto start = std::chrono::steady_clock::now();
+    const int code = code_after(SIGINT, command, scratch.folder,
+                                [&] { return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(1500); });
+    EXPECT_EQ(code, 130);
+    EXPECT_TRUE(parse_json(contents(scratch.folder / "checks.json"))["interrupted"].GetBool()) << command;
+  }
 }
 
 }  // namespace

@@ -223,6 +223,7 @@ TEST(CaseReport, IsAvailableAsJson) {
   ASSERT_FALSE(document.HasParseError());
   EXPECT_EQ(document["broken"].GetInt(), 4);
   EXPECT_EQ(document["unfinished"].GetInt(), 0);
+  EXPECT_FALSE(document["interrupted"].GetBool());
   ASSERT_EQ(document["cases"].Size(), 3u);
   const auto& silent_case = document["cases"][1];
   EXPECT_EQ(silent_case["number"].GetInt(), 2);

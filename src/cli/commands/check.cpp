@@ -150,7 +150,7 @@ int check_results(const CheckOptions& options) {
       return !was_interrupted();
     });
   }
-  if (was_interrupted()) return exit_interrupted();
+  if (was_interrupted()) return std::cerr << "Interrupted: nothing was written.\n", exit_interrupted();
   write(options.json, format_json(result));
   if (!options.json && !options.quiet) std::cout << format_table(result);
   return result.note.empty() ? exit_code::success : exit_code::diverged;

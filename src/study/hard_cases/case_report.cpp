@@ -164,6 +164,7 @@ std::string format_json(std::span<const CaseResult> results) {
   json.end();
   json.integer("broken", count_broken(results));
   json.integer("unfinished", std::ranges::count_if(results, [](const CaseResult& result) { return !result.finished; }));
+  json.boolean("interrupted", !std::ranges::all_of(results, &CaseResult::finished));
   json.end();
   return json.written() + "\n";
 }
