@@ -30,7 +30,7 @@ double fraction_outside(const Camera& camera, const System& system, const State&
 }
 
 // In the window as it opens: at the start, and in the following seconds until something tears, because pieces may fly away.
-class Framing : public InParts<4> {};
+class Framing : public InParts<6> {};
 INSTANTIATE_TEST_SUITE_P(Daily, Framing, testing::Values(0));
 INSTANTIATE_TEST_SUITE_P(Nightly, Framing, testing::Range(1, Framing::parts));
 

@@ -49,7 +49,8 @@ TEST(Forces, EachCanBeAddedFromTheList) {
     ASSERT_EQ(gui.system().forces.size(), 1u) << term.id;
     EXPECT_EQ(gui.system().forces[0].term, &term);
     EXPECT_TRUE(gui.system().forces[0].on);
-    gui.key(letter('Z'), {.control = true});
+    gui.app().handle(Request(Action::Undo));
+    gui.frames(2);
     ASSERT_TRUE(gui.system().forces.empty()) << term.id;
   }
 }
