@@ -5,6 +5,7 @@
 #include "lab/lab.h"
 #include "support/flat_scene.h"
 #include "support/gui_fixture.h"
+#include "support/parts.h"
 
 namespace hooke {
 namespace {
@@ -29,9 +30,15 @@ double fraction_outside(const Camera& camera, const System& system, const State&
 }
 
 // In the window as it opens: at the start, and in the following seconds until something tears, because pieces may fly away.
-TEST(ShippedScenes, StayInTheWindowWhileTheyMove) {
+class Framing : public InParts<6> {};
+INSTANTIATE_TEST_SUITE_P(Daily, Framing, testing::Values(0));
+INSTANTIATE_TEST_SUITE_P(Nightly, Framing, testing::Range(1, Framing::parts));
+
+TEST_P(Framing, KeepsShippedScenesInTheWindowWhileTheyMove) {
   const glm::dvec2 size = view_size(1280.0, 800.0);
+  int number = 0;
   for (const ShippedScene& shipped : shipped_scenes()) {
+    if (!has(number++)) continue;
     Lab lab(load_scene(shipped.file).scene, KeepStart::No);
     lab.submit(SetAccuracy{AccuracyMode::Off});
     const Scene& scene = lab.scene();

@@ -79,7 +79,7 @@ class Monkey {
 
 TEST(Monkey, BreaksNothing) {
   const char* requested = std::getenv("HOOKE_MONKEY");
-  const int actions = requested != nullptr ? std::atoi(requested) : 600;
+  const int actions = requested != nullptr ? std::atoi(requested) : 250;
   const ScratchFolder scratch;
   ::setenv("HOME", scratch.folder.c_str(), 1);
   const char* given_seed = std::getenv("HOOKE_SEED");

@@ -115,7 +115,7 @@ TEST(EnergyBalance, DoesNotStopAStartFromRest) {
 TEST(EnergyBalance, StopsARepulsionThatGrowsWithTheDistance) {
   const std::string scene = R"({"hooke": 1, "gravity": [0, 0, 0], "points": [{"position": [1, 0, 0]}],
     "forces": [{"type": "center", "strength": -1, "power": -3}]})";
-  for (const char* method : {"velocity_verlet", "implicit_euler", "esdirk4", "tr_bdf2", "implicit_midpoint", "runge_kutta4"}) {
+  for (const char* method : {"velocity_verlet", "implicit_euler", "tr_bdf2"}) {
     const Outcome run = run_scene(scene, {"--seconds", "3", "--integrator", method, "--json", "/dev/null"});
     EXPECT_EQ(run.code, 4) << method << ": " << run.err;
     EXPECT_EQ(run.err.find("tested"), std::string::npos) << method << ", which nothing can cure: " << run.err;

@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "sim/forces/single_precision.h"
 #include "sim/methods/rows.h"
 #include "sim/model/hash.h"
 #include "support/counted_device.h"
+#include "support/parts.h"
 #include "support/run_lab.h"
 
 namespace hooke {
@@ -28,12 +30,12 @@ std::string sheet(const Feature& feature) {
 
 constexpr int frames = 25;  // 1000 steps
 
-State run_on(Scene scene, const Integrator& method, Execution execution, const std::optional<GrabPoint>& grab = {}) {
+State run_on(Scene scene, const Integrator& method, Execution execution, const std::optional<GrabPoint>& grab = {}, int count = frames) {
   scene.settings.integrator = &method;
   Lab lab(std::move(scene), KeepStart::No);
   lab.set_execution(std::move(execution));
   if (grab) lab.submit(*grab);
-  for (int frame = 0; frame < frames; ++frame) {
+  for (int frame = 0; frame < count; ++frame) {
     if (grab) lab.submit(MoveHand{grab->grab.target + 0.002 * frame * Vec3(1.0, 1.0, 0.5)});
     EXPECT_TRUE(lab.step()) << "frame " << frame;
   }
@@ -46,11 +48,14 @@ double max_distance(const State& a, const State& b) {
   return max;
 }
 
-void expect_agreement(const Scene& scene, const char* name, double scale, const std::optional<GrabPoint>& grab = {}) {
-  for (const Integrator* method : {&symplectic_euler, &velocity_verlet, &velocity_verlet_explicit}) {
-    const std::string what = std::string(name) + ", " + std::string(method->id);
+// Of a case with one method in each part.
+class GpuAgreement : public InParts<3> {
+ protected:
+  void expect(const Scene& scene, const char* name, std::size_t number, double scale = 1.0, const std::optional<GrabPoint>& grab = {}) {
+    const Integrator& method = *std::array{&symplectic_euler, &velocity_verlet, &velocity_verlet_explicit}[variant_of(number)];
+    const std::string what = std::string(name) + ", " + std::string(method.id);
     const auto device = std::make_shared<CountedDevice>();
-    const State expected = run_on(scene, *method, {}, grab), computed = run_on(scene, *method, {.device = device}, grab);
+    const State expected = run_on(scene, method, {}, grab), computed = run_on(scene, method, {.device = device}, grab);
     EXPECT_EQ(device->frames, frames) << what;
     ASSERT_EQ(expected.position.size(), computed.position.size());
     const double distance = max_distance(expected, computed), moved = max_distance(expected, scene.state);
@@ -59,7 +64,9 @@ void expect_agreement(const Scene& scene, const char* name, double scale, const 
     EXPECT_GT(moved, 1e-3) << what;
     EXPECT_EQ(expected.torn, computed.torn) << what;
   }
-}
+};
+INSTANTIATE_TEST_SUITE_P(Daily, GpuAgreement, testing::Values(0));
+INSTANTIATE_TEST_SUITE_P(Nightly, GpuAgreement, testing::Range(1, GpuAgreement::parts));
 
 constexpr const char* hung = R"(, "nail": ["top_left", "top_right"]}])";
 const Feature features[] = {
@@ -76,43 +83,45 @@ const Feature features[] = {
     {"flat scenes", R"(, "nail": ["top"]}], "dimensions": 2, "gravity": [1, -9.8, 0])"},
 };
 
-TEST(GpuDevice, AgreesWithTheProcessorToRoundingOverAThousandSteps) {
-  for (const Feature& feature : features) {
+TEST_P(GpuAgreement, IsToRoundingOverAThousandSteps) {
+  for (std::size_t number = 0; number < std::size(features); ++number) {
+    const Feature& feature = features[number];
     std::string text = sheet(feature);
     if (std::string(feature.name) == "flat scenes") text.replace(text.find(R"("down": [0, 0, 1])"), 17, R"("down": [0, -1, 0])");
-    expect_agreement(parse(text), feature.name, feature.scale);
+    expect(parse(text), feature.name, number, feature.scale);
   }
 }
 
-TEST(GpuDevice, CablesOnlyPull) {
+TEST_P(GpuAgreement, OfCablesThatOnlyPull) {
+  std::size_t number = 0;
   for (const char* damping : {"0", "0.5"})
-    expect_agreement(parse(R"({"hooke": 1, "generators": [{"type": "rope", "from": [0, 0, 0], "to": [1, 0, 0], "points": 30, "mass": 1,
+    expect(parse(R"({"hooke": 1, "generators": [{"type": "rope", "from": [0, 0, 0], "to": [1, 0, 0], "points": 30, "mass": 1,
         "stiffness": 3000, "cable": 1, "nail": ["from"], "damping": )" +
-                           std::string(damping) + R"(}], "simulation": {"substeps": 40}})"),
-                     "cables", 1.0);
+                 std::string(damping) + R"(}], "simulation": {"substeps": 40}})"),
+           "cables", number++);
 }
 
-TEST(GpuDevice, WindActsOnThePointsOfASceneWithoutFaces) {
-  expect_agreement(
+TEST_P(GpuAgreement, OfWindOnThePointsOfASceneWithoutFaces) {
+  expect(
       parse(
           R"({"hooke": 1, "generators": [{"type": "rope", "from": [0, 0, 0], "to": [1, 0, 0], "points": 30, "mass": 0.1, "stiffness": 3000,
       "damping": 0, "nail": ["from"]}], "forces": [{"type": "wind", "z": 9, "normal": 4}], "simulation": {"substeps": 40}})"),
-      "wind on points", 1.0);
+      "wind on points", 2);
 }
 
-TEST(GpuDevice, TheHandPullsPointsAndPlacesBetweenPoints) {
+TEST_P(GpuAgreement, OfTheHandThatPullsPointsAndPlacesBetweenPoints) {
   const Scene scene = parse(sheet({"", hung}));
-  expect_agreement(scene, "pull", 1.0, GrabPoint{{.point = PointId{66}, .target = Vec3(0.55, 0.03, 0.46)}});
+  expect(scene, "pull", 0, 1.0, GrabPoint{{.point = PointId{66}, .target = Vec3(0.55, 0.03, 0.46)}});
   const Patch patch{{PointId{66}, PointId{67}, PointId{78}}, {0.5, 0.3, 0.2}};
-  expect_agreement(scene, "pull between points", 1.0, GrabPoint{{.point = PointId{66}, .patch = patch, .target = Vec3(0.55, 0.03, 0.46)}});
-  expect_agreement(scene, "hold", 1.0, GrabPoint{{.point = PointId{66}, .kind = GrabKind::Hold, .target = Vec3(0.55, 0.03, 0.46)}});
+  expect(scene, "pull between points", 1, 1.0, GrabPoint{{.point = PointId{66}, .patch = patch, .target = Vec3(0.55, 0.03, 0.46)}});
+  expect(scene, "hold", 2, 1.0, GrabPoint{{.point = PointId{66}, .kind = GrabKind::Hold, .target = Vec3(0.55, 0.03, 0.46)}});
 }
 
 TEST(GpuDevice, TheSameSceneGivesTheSameBitsTwice) {
   for (const char* fields :
        {hung, R"(}], "colliders": [{"type": "sphere", "center": [0.5, -0.3, 0.5], "radius": 0.25, "friction": 0.4}])"}) {
     const Scene scene = parse(sheet({"", fields, 20}));
-    const auto run_once = [&] { return hash_state(run_on(scene, symplectic_euler, {.device = std::make_shared<GpuDevice>()})); };
+    const auto run_once = [&] { return hash_state(run_on(scene, symplectic_euler, {.device = std::make_shared<GpuDevice>()}, {}, 8)); };
     EXPECT_EQ(run_once(), run_once()) << fields;
   }
 }

@@ -10,6 +10,7 @@
 
 #include "sim/methods/rows.h"
 #include "support/counted_device.h"
+#include "support/parts.h"
 #include "support/random_scene.h"
 #include "support/run_lab.h"
 
@@ -59,22 +60,29 @@ State run_on(const Scene& scene, bool on_device, int frames) {
   return lab.scene().state;
 }
 
-TEST(GpuContact, AgreesWithTheProcessorOverAThousandSteps) {
-  for (const Case& each : cases)
-    for (const Integrator* method : {&symplectic_euler, &velocity_verlet, &velocity_verlet_explicit}) {
-      Scene scene = parse(things + std::string(each.colliders) + "}");
-      scene.settings.integrator = method;
-      const State expected = run_on(scene, false, 25), computed = run_on(scene, true, 25);
-      double free = 0.0, sheet = 0.0;
-      for (std::size_t i = 0; i < expected.position.size(); ++i) {
-        double& max = i < 4 ? free : sheet;
-        max = std::max(max, glm::length(expected.position[i] - computed.position[i]));
-      }
-      if (std::getenv("HOOKE_PRINT") != nullptr)
-        std::printf("%s, %s: free points %.2g m, sheet %.2g m apart\n", each.name, std::string(method->id).c_str(), free, sheet);
-      EXPECT_LT(free, 1e-9) << each.name << ", " << method->id;
-      EXPECT_LT(sheet, 1e-9) << each.name << ", " << method->id;
+const std::array methods{&symplectic_euler, &velocity_verlet, &velocity_verlet_explicit};
+
+class GpuColliders : public InParts<3> {};
+INSTANTIATE_TEST_SUITE_P(Daily, GpuColliders, testing::Values(0));
+INSTANTIATE_TEST_SUITE_P(Nightly, GpuColliders, testing::Range(1, GpuColliders::parts));
+
+TEST_P(GpuColliders, AgreeWithTheProcessorOverAThousandSteps) {
+  for (std::size_t number = 0; number < std::size(cases); ++number) {
+    const Case& each = cases[number];
+    const Integrator* method = methods[variant_of(number)];
+    Scene scene = parse(things + std::string(each.colliders) + "}");
+    scene.settings.integrator = method;
+    const State expected = run_on(scene, false, 25), computed = run_on(scene, true, 25);
+    double free = 0.0, sheet = 0.0;
+    for (std::size_t i = 0; i < expected.position.size(); ++i) {
+      double& max = i < 4 ? free : sheet;
+      max = std::max(max, glm::length(expected.position[i] - computed.position[i]));
     }
+    if (std::getenv("HOOKE_PRINT") != nullptr)
+      std::printf("%s, %s: free points %.2g m, sheet %.2g m apart\n", each.name, std::string(method->id).c_str(), free, sheet);
+    EXPECT_LT(free, 1e-9) << each.name << ", " << method->id;
+    EXPECT_LT(sheet, 1e-9) << each.name << ", " << method->id;
+  }
 }
 
 // Three numbers, each up to `max`.
@@ -125,7 +133,6 @@ TEST(GpuContact, AgreesWithTheProcessorAmongRandomColliders) {
     text += R"(], "colliders": [)" + random_collider(random);
     for (Index more = random.below(3); more > 0; --more) text += ", " + random_collider(random);
     Scene scene = parse(text + "]}");
-    const std::array methods{&symplectic_euler, &velocity_verlet, &velocity_verlet_explicit};
     scene.settings.integrator = random.one_of(methods);
     const State expected = run_on(scene, false, 40), computed = run_on(scene, true, 40);
     for (Vec3& x : scene.state.position) x += Vec3(2e-15);

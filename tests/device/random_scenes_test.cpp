@@ -10,6 +10,7 @@
 #include "sim/forces/force_terms.h"
 #include "sim/methods/rows.h"
 #include "sim/model/hash.h"
+#include "support/parts.h"
 #include "support/random_scene.h"
 #include "support/run_lab.h"
 
@@ -79,10 +80,15 @@ std::string random_text(Random& random, bool& is_computed) {
   return text + R"(, "simulation": {"substeps": 25}})";
 }
 
-TEST(GpuDevice, AgreesWithTheProcessorOnRandomScenesOrRefusesThem) {
+class GpuRandomScenes : public InParts<3> {};
+INSTANTIATE_TEST_SUITE_P(Daily, GpuRandomScenes, testing::Values(0));
+INSTANTIATE_TEST_SUITE_P(Nightly, GpuRandomScenes, testing::Range(1, GpuRandomScenes::parts));
+
+TEST_P(GpuRandomScenes, AgreeWithTheProcessorOrAreRefused) {
   const auto device = std::make_shared<GpuDevice>();
   int computed = 0, refused = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    if (!has(static_cast<int>(seed))) continue;
     Random random(seed);
     bool is_computed = true;
     const std::string text = random_text(random, is_computed);
@@ -114,8 +120,8 @@ TEST(GpuDevice, AgreesWithTheProcessorOnRandomScenesOrRefusesThem) {
     }
     EXPECT_EQ(lab.device_refusal(), refusal) << seed;
   }
-  EXPECT_GT(computed, 15);
-  EXPECT_GT(refused, 60);
+  EXPECT_GT(computed, 15 / parts);
+  EXPECT_GT(refused, 60 / parts);
 }
 
 }  // namespace

@@ -35,22 +35,24 @@ TEST(SurfaceMotion, ASpinningBallChangesInThePicture) {
 
 // Features drawn at an angle about the axis move by the rotation angle of the ball, in the direction of rotation.
 TEST(SurfaceMotion, ABallRotatesInTheDirectionOfItsSpin) {
-  const auto shade_at = [](double time, double angle) {
-    TestSim scene;
-    scene.system.colliders = {spinning({0.0, 1.0, 0.0})};
-    scene.state.time = time;
-    const Camera camera = make_camera({.camera = CameraPose{.eye = {0.0, 3.0, 0.01}, .target = Vec3(0.0), .up = Vec3(0.0, 0.0, -1.0)}},
-                                      scene.system, scene.state, 1.0);
+  TestSim scene;
+  scene.system.colliders = {spinning({0.0, 1.0, 0.0})};
+  const Camera camera = make_camera({.camera = CameraPose{.eye = {0.0, 3.0, 0.01}, .target = Vec3(0.0), .up = Vec3(0.0, 0.0, -1.0)}},
+                                    scene.system, scene.state, 1.0);
+  const double turned = 0.35;
+  const Image start = draw(scene, {}, camera, {}, 300, 300);
+  scene.state.time = turned / (2.0 * std::numbers::pi);
+  const Image later = draw(scene, {}, camera, {}, 300, 300);
+  const auto shade_at = [&](const Image& image, double angle) {
     // seen from above, counter-clockwise from x is towards -z
     const Vec3 place = 0.5 * Vec3(std::cos(angle), 0.0, -std::sin(angle)) + Vec3(0.0, 0.6, 0.0);
-    const Color seen = at(draw(scene, {}, camera, {}, 300, 300), camera, place);
+    const Color seen = at(image, camera, place);
     return seen.red + seen.green + seen.blue;
   };
-  const double turned = 0.35, time = turned / (2.0 * std::numbers::pi);
   int forward = 0, backward = 0;
   for (double angle = 0.0; angle < 6.2; angle += 0.25) {
-    forward += std::abs(shade_at(time, angle + turned) - shade_at(0.0, angle));
-    backward += std::abs(shade_at(time, angle - turned) - shade_at(0.0, angle));
+    forward += std::abs(shade_at(later, angle + turned) - shade_at(start, angle));
+    backward += std::abs(shade_at(later, angle - turned) - shade_at(start, angle));
   }
   EXPECT_LT(3 * forward, backward);
 }

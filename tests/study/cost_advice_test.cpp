@@ -27,7 +27,7 @@ TEST(CostAdvice, IsNoLessAccurateThanThePresentOne) {
 }
 
 TEST(CostAdvice, ResolvesCollidersThatOscillate) {
-  TestSim sim = net(8, 1e2, 0.0);
+  TestSim sim = net(4, 1e2, 0.0);
   sim.system.colliders = {{.shape = Plane{.point = {0.0, -50.0, 0.0}}, .path = {.amplitude = {0.0, 0.01, 0.0}, .frequency = 240.0}}};
   const Settings wasteful{.integrator = find_integrator("implicit_euler"), .substeps = 640};
   const auto cheaper = advise_on_cost(sim.system, sim.state, wasteful, std::atomic<bool>(false)).cheaper;

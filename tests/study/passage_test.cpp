@@ -12,6 +12,7 @@
 #include "sim/methods/passage_step.h"
 #include "study/hard_cases/monitored_run.h"
 #include "support/force_with.h"
+#include "support/parts.h"
 
 namespace hooke {
 namespace {
@@ -91,12 +92,18 @@ TEST(Passage, TooFastForStepsOfOneLengthIsLeftToAMethodThatAdaptsThem) {
 }
 
 // The energy far from the core, which decides where the point goes, to a twentieth.
-TEST(Passage, KeepsItsEnergyWithTheRecommendedNumberOfSubsteps) {
+class Passages : public InParts<4> {};
+INSTANTIATE_TEST_SUITE_P(Daily, Passages, testing::Values(0));
+INSTANTIATE_TEST_SUITE_P(Nightly, Passages, testing::Range(1, Passages::parts));
+
+TEST_P(Passages, KeepTheirEnergyWithTheRecommendedNumberOfSubsteps) {
+  int number = 0;
   for (const char* id :
        {"symplectic_euler", "velocity_verlet", "blanes_moan4", "runge_kutta4", "implicit_midpoint", "tr_bdf2", "esdirk4", "xpbd"})
     for (const Fall& start :
          {Fall{}, Fall{.power = 0.5}, Fall{.power = 1.0}, Fall{.power = 1.5, .core = 3e-3}, Fall{.power = 3.0, .core = 0.1},
           Fall{.power = 4.0, .core = 0.2}, Fall{.core = 0.05, .velocity = {3.0, 0.0, 0.0}}}) {
+      if (!has(number++)) continue;
       const TestNetwork network = network_of_fall(start);
       const Integrator& method = *find_integrator(id);
       const Spectrum spectrum = bound_spectrum(network.system);

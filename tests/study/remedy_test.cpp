@@ -13,6 +13,7 @@
 #include "study/hard_cases/test_network.h"
 #include "study/run_monitor.h"
 #include "support/force_with.h"
+#include "support/parts.h"
 
 namespace hooke {
 namespace {
@@ -133,10 +134,15 @@ bool is_expected_cause(const std::string& kind, Remedy::Cause cause) {
   return cause != NotReproduced;
 }
 
-TEST(Remedy, EveryRecommendedSettingIsStable) {
-  int diverged = 0, cured = 0, without_warning = 0;
+class Remedies : public InParts<3> {};
+INSTANTIATE_TEST_SUITE_P(Daily, Remedies, testing::Values(0));
+INSTANTIATE_TEST_SUITE_P(Nightly, Remedies, testing::Range(1, Remedies::parts));
+
+TEST_P(Remedies, AreStable) {
+  int number = 0, diverged = 0, cured = 0, without_warning = 0;
   std::map<std::string, int> stable;
   for (const DivergingScene& scene_case : diverging_scenes()) {
+    if (!has(number++)) continue;
     if (runs_through(scene_case.scene, seconds)) {
       ++stable[scene_case.name];
       continue;
@@ -156,7 +162,7 @@ TEST(Remedy, EveryRecommendedSettingIsStable) {
   }
   std::string names;
   for (const auto& [name, count] : stable) names += name + " ";
-  EXPECT_GE(diverged, 30) << "not diverged: " << names;
+  EXPECT_GE(diverged, 9) << "not diverged: " << names;
   EXPECT_GE(cured, 9 * diverged / 10);
   EXPECT_GE(without_warning, 8 * diverged / 10);
 }
@@ -175,8 +181,8 @@ TEST(Remedy, KeepsTheMarginBelowTheLinearLimit) {
 // The cheapest setting of any method comes first, and one that keeps the method second.
 TEST(Remedy, IsTheCheapestSettingAndOneThatKeepsTheMethod) {
   const Scene scene = scene_of(shaken_sheet(1e8, 0.02, 1), "runge_kutta4", 4);
-  ASSERT_FALSE(runs_through(scene, seconds));
-  const Remedy remedy = find_remedy(scene, seconds, never);
+  ASSERT_FALSE(runs_through(scene, 0.5));
+  const Remedy remedy = find_remedy(scene, 0.5, never);
   ASSERT_TRUE(remedy.cheapest) << describe(remedy, scene.settings);
   EXPECT_NE(remedy.cheapest->advice.integrator, scene.settings.integrator) << describe(remedy, scene.settings);
   EXPECT_LT(remedy.cheapest->duration, 1.0) << describe(remedy, scene.settings);

@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 #include <initializer_list>
+#include <map>
 #include <set>
 #include <string>
 #include <thread>
@@ -149,11 +150,16 @@ class GuiFixture {
     return nullptr;
   }
 
-  // The center of an item with this path of ids, found by moving the mouse over its whole window.
+  // The center of an item with this path of ids, found by moving the mouse over its whole window, if it is not where it was seen last.
   glm::dvec2 find(const char* window, std::initializer_list<const char*> names) {
     const ImGuiID id = id_of(window, names);
+    if (const auto seen = places_.find(id); seen != places_.end()) {
+      move(seen->second);
+      if (ImGui::GetCurrentContext()->HoveredId == id) return at_;
+    }
     glm::dvec2 found(-1.0);
     scan(window, [&](ImGuiID hovered) {
+      places_[hovered] = at_;
       if (hovered == id) found = at_;
       return hovered != id;
     });
@@ -205,6 +211,7 @@ class GuiFixture {
   double scale_ = 1.0;
   std::unique_ptr<App> app_;
   glm::dvec2 at_{-1.0};
+  std::map<ImGuiID, glm::dvec2> places_;  // where the mouse found items
 };
 
 }  // namespace hooke

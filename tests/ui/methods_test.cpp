@@ -39,19 +39,19 @@ TEST(Forces, AreSwitchedSetAndRemovedInTheirPanel) {
 }
 
 TEST(Forces, EachCanBeAddedFromTheList) {
+  GuiFixture gui(two_springs());
+  gui.resize({1280.0, 2000.0}, 1.0);
+  gui.click(gui.find("side", {"Forces"}));  // expands the group
   for (const ForceTerm& term : force_terms()) {
-    GuiFixture gui(two_springs());
-    ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
-    gui.app().resize({1280.0, 2000.0}, 1.0);
-    gui.frames(2);
-    gui.frames(2);
-    gui.click(gui.find("side", {"Forces"}));  // expands the group
     gui.click(gui.find("side", {"##add"}));
     gui.frames(2);
     gui.click(gui.find("##Combo_00", {term.label.data()}));
     ASSERT_EQ(gui.system().forces.size(), 1u) << term.id;
     EXPECT_EQ(gui.system().forces[0].term, &term);
     EXPECT_TRUE(gui.system().forces[0].on);
+    gui.app().handle(Request(Action::Undo));
+    gui.frames(2);
+    ASSERT_TRUE(gui.system().forces.empty()) << term.id;
   }
 }
 
