@@ -111,11 +111,9 @@ Repetition repetition_of(const Plan& plan, const System& system, const Settings&
 }
 
 bool resolves_colliders(const Plan& plan, const Settings& used) {
-  if (!std::isfinite(plan.collider_paths.resolving_step)) return true;
   constexpr double rounding = 1e-9;
   const double max_step = plan.collider_paths.resolving_step * (1.0 + rounding);
-  if (used.integrator->stability == Stability::Adaptive) return true;
-  return used.substep() <= max_step;
+  return used.integrator->stability == Stability::Adaptive || used.substep() <= max_step;
 }
 
 FrameError weighted_distance(const System& system, const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight) {
