@@ -1,27 +1,13 @@
 // The broad phase of all contact: a tree of bounding boxes.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
 
-#include "base/types.h"
+#include "sim/contact/box_kernel.h"
 
 namespace hooke {
-
-struct SurfaceBox {
-  Vec3 min{0.0}, max{0.0};
-
-  void include(const SurfaceBox& other) {
-    min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y), std::min(min.z, other.min.z)};
-    max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y), std::max(max.z, other.max.z)};
-  }
-};
-
-struct BoxRange {
-  Index begin = 0, end = 0;
-};
 
 class BoxTree {
  public:
@@ -57,14 +43,14 @@ class BoxTree {
   std::vector<Vec3> places_;
 };
 
-// Whether they are no farther apart than `reach` [m], up to rounding.
-inline bool are_close(const SurfaceBox& a, const SurfaceBox& b, double reach) {
+// [m^2]
+inline double square_of_distance(const SurfaceBox& a, const SurfaceBox& b) {
   double sum = 0.0;
   for (int c = 0; c < 3; ++c) {
     const double gap = std::max(0.0, std::max(a.min[c] - b.max[c], b.min[c] - a.max[c]));
     sum += gap * gap;
   }
-  return sum <= reach * reach * (1.0 + 1e-12);  // more than rounding changes a sum of squares
+  return sum;
 }
 
 template <class BoxOf>
@@ -98,7 +84,7 @@ void BoxTree::visit_close(double reach, const Visit& visit) const {
       continue;
     }
     if (a != b) {
-      if (!are_close(first.box, second.box, reach)) continue;
+      if (square_of_distance(first.box, second.box) > reach * reach * (1.0 + 1e-12)) continue;
       // halves the one with more items
       const auto size = [](const Node& node) { return node.items.end - node.items.begin; };
       const bool splits_first = first.second != no_index && (second.second == no_index || size(first) >= size(second));
@@ -120,7 +106,7 @@ void BoxTree::visit_near(const Vec3& place, double reach, const Visit& visit) co
   for (std::size_t count = 1; count > 0;) {
     const Index n = open[--count];
     const Node& node = nodes_[n];
-    if (!are_close(node.box, {place, place}, reach)) continue;
+    if (square_of_distance(node.box, {place, place}) > reach * reach) continue;
     if (node.second != no_index)
       open[count++] = node.second, open[count++] = n + 1;
     else

@@ -76,7 +76,7 @@ bool SurfaceDetection::list_pairs(const SurfacePlan& plan, double need) {
   double extent = 0.0;
   for (const Vec3& x : x_) extent = std::max({extent, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
   round_off_ = 1e-14 * extent;
-  tree_.refit(plan, x_);
+  tree_.refit(x_);
   if (!tree_.find_pairs(plan, x_, reach_, left_out_, max_pairs, pairs_)) {
     reach_ = 0.0;
     return false;

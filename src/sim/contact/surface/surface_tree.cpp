@@ -36,109 +36,120 @@ bool are_joined(const SurfacePlan& plan, const EdgeEnds& edge, std::span<const I
   });
 }
 
-// Around these points. That of a sphere is around all of it.
-SurfaceBox box_of(const SurfacePlan& plan, std::span<const Vec3> x, std::span<const Index> points) {
-  const Vec3 radius(plan.radius.empty() ? 0.0 : plan.radius[points[0]]);
-  SurfaceBox box{x[points[0]] - radius, x[points[0]] + radius};
-  for (const Index i : points.subspan(1)) box.include({x[i], x[i]});
-  return box;
-}
-
-// Whether one of these points is left out of pairs of a face, or of those that are on no face.
-bool is_out(std::span<const LeftOut> left_out, bool has_spring, std::span<const Index> points) {
-  const LeftOut least = has_spring ? LeftOut::Springs : LeftOut::All;
-  return !left_out.empty() && std::ranges::any_of(points, [&](Index i) { return left_out[i] >= least; });
-}
-
 }  // namespace
+
+BoxSet SurfaceTree::boxes_of(Feature feature, const Node& leaf) const {
+  const auto [first, end] = leaf.items;
+  const BoxRange range = feature == Piece    ? leaf.items
+                         : feature == Corner ? BoxRange{first_corner_[first], first_corner_[end]}
+                                             : BoxRange{first_edge_[first], first_edge_[end]};
+  return {boxes_[feature], range, leaf.box};
+}
+
+std::span<const std::array<Index, 2>> SurfaceTree::find_close(const BoxSet& first, const BoxSet& second, double reach,
+                                                              ClosePairs& room) const {
+  return std::span(room).first(find_close_boxes(first, second, reach, room));
+}
 
 void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
   std::vector<Vec3> places;
   for (const SurfacePiece& piece : plan.pieces) places.push_back(x[piece.points[0]] + x[piece.points[1]] + x[piece.points[2]]);
   tree_.build(places);
-  boxes_.resize(plan.pieces.size());
-  refit(plan, x);
-}
-
-void SurfaceTree::refit(const SurfacePlan& plan, std::span<const Vec3> x) {
-  for (std::size_t p = 0; p < boxes_.size(); ++p) boxes_[p] = box_of(plan, x, plan.pieces[tree_.order()[p]].points);
-  tree_.fit([&](const BoxRange& pieces) {
-    SurfaceBox all = boxes_[pieces.begin];
-    for (Index p = pieces.begin; p < pieces.end; ++p) all.include(boxes_[p]);
-    return all;
-  });
-}
-
-// Calls use(p, close) for each piece of the first leaf, with those of the second whose boxes are within `reach` of its own: places in the
-// order of the tree.
-template <class Use>
-void SurfaceTree::for_close_pieces(const Node& first, const Node& second, double reach, const Use& use) const {
-  std::array<Index, BoxTree::max_per_leaf> close;
-  for (Index p = first.items.begin; p < first.items.end; ++p) {
-    if (!are_close(boxes_[p], second.box, reach)) continue;
-    std::size_t count = 0;
-    for (Index q = second.items.begin; q < second.items.end; ++q) {
-      close[count] = q;
-      count += are_close(boxes_[p], boxes_[q], reach) ? 1U : 0U;
+  for (auto* list : {&corners_, &edges_, &first_corner_, &first_edge_}) list->clear();
+  piece_points_.clear();
+  edge_ends_.clear();
+  is_face_.clear();
+  is_on_face_.clear();
+  const auto begin_piece = [&] {
+    first_corner_.push_back(static_cast<Index>(corners_.size()));
+    first_edge_.push_back(static_cast<Index>(edges_.size()));
+  };
+  for (const Index p : tree_.order()) {
+    const SurfacePiece& piece = plan.pieces[p];
+    begin_piece();
+    piece_points_.push_back(piece.points);
+    is_face_.push_back(piece.is_face ? 1 : 0);
+    for (Index c = piece.first_corner; c < piece.end_corner; ++c) {
+      corners_.push_back(plan.corners[c]);
+      is_on_face_.push_back(piece.is_face ? 1 : 0);  // a face owns all its points that are on springs as well
     }
-    use(p, std::span<const Index>(close).first(count));
-  }
-}
-
-// The points of a piece and the faces that are close to them.
-void SurfaceTree::append_corners(const Search& search, Index piece, std::span<const Index> close, SurfacePairs& pairs) const {
-  const auto& [plan, x, reach, left_out] = search;
-  const SurfacePiece& own = plan.pieces[tree_.order()[piece]];
-  for (Index c = own.first_corner; c < own.end_corner; ++c) {
-    const std::array corner{plan.corners[c]};
-    const SurfaceBox box = box_of(plan, x, corner);
-    for (const Index q : close) {
-      const Index face = tree_.order()[q];
-      const auto& points = plan.pieces[face].points;
-      if (!plan.pieces[face].is_face || !are_close(box, boxes_[q], reach)) continue;
-      if (share_point(corner, points) || (!plan.close.empty() && plan.excludes_face(corner[0], points))) continue;
-      // a face owns all its points that are on springs as well
-      if (is_out(left_out, !own.is_face, corner) && is_out(left_out, !own.is_face, points)) continue;
-      pairs[0].push_back({FeaturePair::PointFace, {corner[0], points[0], points[1], points[2]}, {face, no_index}});
+    for (Index e = piece.first_edge; e < piece.end_edge; ++e) {
+      edges_.push_back(e);
+      edge_ends_.push_back(plan.edges[e]);
     }
   }
+  begin_piece();
+  boxes_[Piece].resize(piece_points_.size());
+  boxes_[Corner].resize(corners_.size());
+  boxes_[Edge].resize(edges_.size());
+  radius_ = plan.radius;
+  refit(x);
 }
 
-// The edges of a piece and those of other pieces that are close to them.
-void SurfaceTree::append_edges(const Search& search, Index piece, std::span<const Index> close, SurfacePairs& pairs) const {
-  const auto& [plan, x, reach, left_out] = search;
-  const SurfacePiece& own = plan.pieces[tree_.order()[piece]];
+void SurfaceTree::refit(std::span<const Vec3> x) {
+  tree_.fit([&](const BoxRange& pieces) { return fit_features(x, pieces); });
+}
+
+// Of a leaf. Boxes of spheres are around all of them.
+SurfaceBox SurfaceTree::fit_features(std::span<const Vec3> x, const BoxRange& pieces) {
+  const auto box_of_point = [&](Index i) {
+    const Vec3 radius(radius_.empty() ? 0.0 : radius_[i]);
+    return SurfaceBox{x[i] - radius, x[i] + radius};
+  };
+  const auto box_of_edge = [&](Index i, Index j) {
+    SurfaceBox box = box_of_point(i);
+    box.include({x[j], x[j]});
+    return box;
+  };
+  for (Index c = first_corner_[pieces.begin]; c < first_corner_[pieces.end]; ++c) boxes_[Corner].set(c, box_of_point(corners_[c]));
+  for (Index e = first_edge_[pieces.begin]; e < first_edge_[pieces.end]; ++e)
+    boxes_[Edge].set(e, box_of_edge(edge_ends_[e][0], edge_ends_[e][1]));
+  SurfaceBox all;
+  for (Index p = pieces.begin; p < pieces.end; ++p) {
+    const auto [i, j, k] = piece_points_[p];
+    SurfaceBox box = box_of_edge(i, j);
+    box.include({x[k], x[k]});
+    boxes_[Piece].set(p, box);
+    if (p == pieces.begin) all = box;
+    all.include(box);
+  }
+  return all;
+}
+
+// Those whose boxes are closer than `reach`.
+void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach,
+                               std::span<const LeftOut> left_out, SurfacePairs& pairs) const {
+  ClosePairs room;
+  const auto is_out = [&](bool has_spring, std::span<const Index> points) {
+    const LeftOut least = has_spring ? LeftOut::Springs : LeftOut::All;
+    return !left_out.empty() && std::ranges::any_of(points, [&](Index i) { return left_out[i] >= least; });
+  };
+  const auto append = [&](FeaturePair kind, const std::array<Index, 4>& points, const std::array<Index, 2>& features) {
+    pairs[static_cast<std::size_t>(kind)].push_back({kind, points, features});
+  };
+  const auto add_points = [&](const Node& of_corners, const Node& of_pieces) {
+    for (const auto& [c, p] : find_close(boxes_of(Corner, of_corners), boxes_of(Piece, of_pieces), reach, room)) {
+      const std::array corner{corners_[c]};
+      const auto& face = piece_points_[p];
+      if (is_face_[p] == 0 || share_point(corner, face) || (!plan.close.empty() && plan.excludes_face(corner[0], face))) continue;
+      if (is_out(is_on_face_[c] == 0, corner) && is_out(is_on_face_[c] == 0, face)) continue;
+      append(FeaturePair::PointFace, {corner[0], face[0], face[1], face[2]}, {tree_.order()[p], no_index});
+    }
+  };
+  add_points(first, second);
+  if (&first != &second) add_points(second, first);
+
   const bool has_links = !plan.close.empty() || !plan.joined.empty() || !plan.radius.empty();
-  for (Index e = own.first_edge; e < own.end_edge; ++e) {
-    const EdgeEnds& one = plan.edges[e];
-    const SurfaceBox box = box_of(plan, x, one);
-    for (const Index q : close) {
-      const SurfacePiece& with = plan.pieces[tree_.order()[q]];
-      for (Index f = with.first_edge; f < with.end_edge; ++f) {
-        const EdgeEnds& other = plan.edges[f];
-        if (!are_close(box, box_of(plan, x, other), reach)) continue;
-        const bool has_spring = (plan.is_spring[e] | plan.is_spring[f]) != 0;
-        if (share_point(one, other) || (has_links && plan.excludes_edge(e, f))) continue;
-        if (is_out(left_out, has_spring, one) && is_out(left_out, has_spring, other)) continue;
-        // spheres first
-        const bool is_sphere = other[0] == other[1];
-        const EdgeEnds &a = is_sphere ? other : one, &b = is_sphere ? one : other;
-        pairs[1].push_back({FeaturePair::TwoEdges, {a[0], a[1], b[0], b[1]}, {e, f}});
-      }
-    }
+  for (const auto& [e, f] : find_close(boxes_of(Edge, first), boxes_of(Edge, second), reach, room)) {
+    const EdgeEnds &one = edge_ends_[e], &other = edge_ends_[f];
+    const bool has_spring = (plan.is_spring[edges_[e]] | plan.is_spring[edges_[f]]) != 0;
+    if (share_point(one, other) || (has_links && plan.excludes_edge(edges_[e], edges_[f]))) continue;
+    if (is_out(has_spring, one) && is_out(has_spring, other)) continue;
+    // spheres first
+    const bool is_sphere = other[0] == other[1];
+    const EdgeEnds &a = is_sphere ? other : one, &b = is_sphere ? one : other;
+    append(FeaturePair::TwoEdges, {a[0], a[1], b[0], b[1]}, {edges_[e], edges_[f]});
   }
-}
-
-void SurfaceTree::append_close(const Search& search, const Node& first, const Node& second, SurfacePairs& pairs) const {
-  const bool is_same = &first == &second;
-  for_close_pieces(first, second, search.reach, [&](Index p, std::span<const Index> close) {
-    append_corners(search, p, close, pairs);
-    // the edges of a face share points
-    if (is_same) close = {std::ranges::upper_bound(close, p), close.end()};
-    append_edges(search, p, close, pairs);
-  });
-  if (!is_same)
-    for_close_pieces(second, first, search.reach, [&](Index p, std::span<const Index> close) { append_corners(search, p, close, pairs); });
 }
 
 bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out,
@@ -165,7 +176,7 @@ bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, d
   };
   constexpr std::size_t batch = 4096;
   tree_.visit_close(reach, [&](const Node& first, const Node& second) {
-    append_close({plan, x, reach, left_out}, first, second, pairs);
+    append_close(plan, first, second, reach, left_out, pairs);
     for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
       if (const auto k = static_cast<std::size_t>(kind); pairs[k].size() > measured[k] + batch) measure(kind);
     return measured[0] + measured[1] <= max_pairs;
@@ -178,26 +189,21 @@ Crossings SurfaceTree::find_crossings(const SurfacePlan& plan, std::span<const V
   Crossings crossings;
   constexpr std::size_t max_tests = 20'000'000;
   std::size_t tests = 0;
-  const auto test_edges = [&](Index piece, std::span<const Index> close) {
-    const SurfacePiece& own = plan.pieces[tree_.order()[piece]];
-    for (Index e = own.first_edge; e < own.end_edge; ++e) {
-      const EdgeEnds& ends = plan.edges[e];
-      const SurfaceBox box = box_of(plan, x, ends);
-      for (const Index q : close) {
-        if (!are_close(box, boxes_[q], 0.0)) continue;
-        ++tests;
-        const Index face = tree_.order()[q];
-        const auto& points = plan.pieces[face].points;
-        if (plan.pieces[face].is_face && !share_point(ends, points) &&
-            passes_through(x[ends[0]], x[ends[1]], x[points[0]], x[points[1]], x[points[2]]) &&
-            !(plan.is_spring[e] != 0 && are_joined(plan, ends, points)))
-          crossings.found.push_back({e, face});
-      }
+  ClosePairs room;
+  const auto test = [&](const Node& of_edges, const Node& of_pieces) {
+    const auto close = find_close(boxes_of(Edge, of_edges), boxes_of(Piece, of_pieces), 0.0, room);
+    for (const auto& [i, p] : close) {
+      const auto [j, k] = edge_ends_[i];
+      const auto [a, b, c] = piece_points_[p];
+      if (is_face_[p] != 0 && !share_point(edge_ends_[i], piece_points_[p]) && passes_through(x[j], x[k], x[a], x[b], x[c]) &&
+          !(plan.is_spring[edges_[i]] != 0 && are_joined(plan, edge_ends_[i], piece_points_[p])))
+        crossings.found.push_back({edges_[i], tree_.order()[p]});
     }
+    tests += close.size();
   };
   tree_.visit_close(0.0, [&](const Node& first, const Node& second) {
-    for_close_pieces(first, second, 0.0, test_edges);
-    if (&first != &second) for_close_pieces(second, first, 0.0, test_edges);
+    test(first, second);
+    if (&first != &second) test(second, first);
     crossings.is_complete = tests < max_tests;
     return crossings.is_complete;
   });

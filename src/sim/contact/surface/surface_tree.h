@@ -41,7 +41,7 @@ class SurfaceTree {
   void clear() { tree_.clear(); }
 
   // Points have moved to x.
-  void refit(const SurfacePlan& plan, std::span<const Vec3> x);
+  void refit(std::span<const Vec3> x);
 
   // Sets `pairs` to the pairs of features that do not belong together, without those with points on both sides that are left out
   // (empty: none are), if they are closer than `reach` [m]. They are found in an order that depends on the last `build` alone: with a
@@ -52,23 +52,27 @@ class SurfaceTree {
   Crossings find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const;
 
  private:
+  static constexpr Index features_per_leaf = 3 * BoxTree::max_per_leaf;
+  using ClosePairs = std::array<std::array<Index, 2>, static_cast<std::size_t>(features_per_leaf* features_per_leaf)>;
   using Node = BoxTree::Node;
-  // What is searched for pairs.
-  struct Search {
-    const SurfacePlan& plan;
-    std::span<const Vec3> x;
-    double reach;
-    std::span<const LeftOut> left_out;
-  };
+  enum Feature { Piece, Corner, Edge };
 
-  template <class Use>
-  void for_close_pieces(const Node& first, const Node& second, double reach, const Use& use) const;
-  void append_corners(const Search& search, Index piece, std::span<const Index> close, SurfacePairs& pairs) const;
-  void append_edges(const Search& search, Index piece, std::span<const Index> close, SurfacePairs& pairs) const;
-  void append_close(const Search& search, const Node& first, const Node& second, SurfacePairs& pairs) const;
+  SurfaceBox fit_features(std::span<const Vec3> x, const BoxRange& pieces);
+  BoxSet boxes_of(Feature feature, const Node& leaf) const;
+  std::span<const std::array<Index, 2>> find_close(const BoxSet& first, const BoxSet& second, double reach, ClosePairs& room) const;
+  void append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const LeftOut> left_out,
+                    SurfacePairs& pairs) const;
 
-  BoxTree tree_;                   // of the pieces
-  std::vector<SurfaceBox> boxes_;  // of the pieces, in its order
+  BoxTree tree_;  // of the pieces
+
+  // Of the plan, in the order of the tree; and where the corners and edges of each piece begin.
+  std::vector<Index> corners_, edges_, first_corner_, first_edge_;
+  std::vector<std::array<Index, 3>> piece_points_;
+  std::vector<EdgeEnds> edge_ends_;
+  std::vector<char> is_face_;     // per piece
+  std::vector<char> is_on_face_;  // per corner
+  std::vector<double> radius_;    // [m], per point of the plan, of spheres; empty: there are none
+  std::array<SurfaceBoxes, 3> boxes_;
 };
 
 }  // namespace hooke
