@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "base/json_text.h"
 #include "base/json_writer.h"
 #include "base/option_error.h"
 #include "base/printable.h"
@@ -110,6 +111,13 @@ const rapidjson::Value& JsonParser::parse(std::string_view text) {
   };
   document_.Populate(events);
   return document_;
+}
+
+void read_members(const std::string& text, const std::string& name, const std::function<void(const JsonField& field)>& take,
+                  bool is_one_line) {
+  JsonParser parser;
+  const auto take_member = [&](std::string_view key, std::string_view value) { take(JsonField(name, key, parser.parse(value))); };
+  walk_json(text, name, {.is_list = [](std::string_view) { return false; }, .item = {}, .member = take_member, .is_one_line = is_one_line});
 }
 
 }  // namespace hooke

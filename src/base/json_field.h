@@ -5,6 +5,7 @@
 #include <rapidjson/document.h>
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -105,5 +106,9 @@ class JsonParser {
   rapidjson::MemoryPoolAllocator<> pool_{buffer_, sizeof buffer_};
   rapidjson::Document document_{&pool_};
 };
+
+// Calls `take` with every top-level member of a text. Throws what walk_json does; `is_one_line`: as JsonVisitor.
+void read_members(const std::string& text, const std::string& name, const std::function<void(const JsonField& field)>& take,
+                  bool is_one_line = false);
 
 }  // namespace hooke

@@ -32,9 +32,7 @@ void write_value(JsonWriter& out, const rapidjson::Value& value) {
       out.text({value.GetString(), value.GetStringLength()});
       break;
     case rapidjson::kArrayType:
-      out.begin_list(Layout::Line);
-      for (const rapidjson::Value& item : value.GetArray()) write_value(out, item);
-      out.end();
+      out.list(Layout::Line, value.GetArray(), [&](const rapidjson::Value& item) { write_value(out, item); });
       break;
     case rapidjson::kObjectType:
       out.begin_object(Layout::Line);

@@ -43,9 +43,26 @@ class JsonWriter {
     if (!json.empty()) raw(json);
   }
 
+  // A list of what write(item) writes for each item.
+  template <class Items, class Write>
+  void list(Layout layout, const Items& items, const Write& write) {
+    begin_list(layout);
+    for (const auto& item : items) write(item);
+    end();
+  }
+
   // key and value at once
   void begin_object(std::string_view name, Layout layout) { key(name), begin_object(layout); }
   void begin_list(std::string_view name, Layout layout) { key(name), begin_list(layout); }
+  template <class Items, class Write>
+  void list(std::string_view name, Layout layout, const Items& items, const Write& write) {
+    key(name), list(layout, items, write);
+  }
+  // A list of objects, one per line, whose members write(item) writes.
+  template <class Items, class Write>
+  void objects(std::string_view name, const Items& items, const Write& write) {
+    list(name, Layout::Lines, items, [&](const auto& item) { begin_object(Layout::Line), write(item), end(); });
+  }
   void raw(std::string_view name, std::string_view json) { key(name), raw(json); }
   void null(std::string_view name) { key(name), null(); }
   void number(std::string_view name, double value) { key(name), number(value); }

@@ -134,11 +134,8 @@ void JsonReport::finish(const RunTotals& totals) {
   json_.boolean("diverged", totals.diverged);
   json_.boolean("interrupted", totals.interrupted);
   if (totals.frames_beyond_tolerance) json_.integer("frames_beyond_tolerance", *totals.frames_beyond_tolerance);
-  if (!totals.gas_releases.empty()) {
-    json_.begin_list("gas_releases", JsonLayout::Line);
-    for (const double time : totals.gas_releases) json_.number(time);
-    json_.end();
-  }
+  if (!totals.gas_releases.empty())
+    json_.list("gas_releases", JsonLayout::Line, totals.gas_releases, [&](double time) { json_.number(time); });
   json_.integer("force_evaluations", totals.force_evaluations);
   json_.integer("factorizations", totals.factorizations);
   json_.text("hash", to_hexadecimal(totals.hash));

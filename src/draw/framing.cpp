@@ -99,10 +99,8 @@ void include_colliders(Extent& extent, const System& system, const State& state)
   const std::vector<Collider> colliders = include_collider_paths(system, state);
   for (const Collider& collider : colliders) {
     if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) extent.include(sphere->center, sphere->radius);
-    if (const auto* box = std::get_if<Box>(&collider.shape)) {
-      const auto pick = [&](int bit, int axis) { return bit ? box->max[axis] : box->min[axis]; };
-      for (int corner = 0; corner < 8; ++corner) extent.include({pick(corner & 1, 0), pick(corner & 2, 1), pick(corner & 4, 2)});
-    }
+    if (const auto* box = std::get_if<Box>(&collider.shape))
+      for (int corner = 0; corner < 8; ++corner) extent.include(box->corner(corner));
   }
   if (extent.spheres.empty()) extent.include(Vec3(0.0), 5.0 * smallest_radius);
 

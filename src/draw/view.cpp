@@ -103,130 +103,123 @@ struct View::Parts {
   PointImpostors points, marked_points, ghost_points;
   GuiRenderer gui;
 
-  void gather(const DrawContext& context);
-  void draw_scene(const DrawContext& context, const Viewport& place, int width, int height);
-  PixelBox polygons(const DrawContext& context, const PixelBox& place) const;
-  void draw_environment(const DrawContext& context, bool has_polygons);
-  void draw_network(const DrawContext& context);
-  void draw_over(const DrawContext& context);
-};
+  void gather(const DrawContext& context) {
+    environment.clear();
+    shadows.clear();
+    cloth.clear();
+    for (Strokes* strokes : {&springs, &marked_springs, &ghost_springs}) strokes->clear();
+    for (PointImpostors* impostors : {&points, &marked_points, &ghost_points}) impostors->clear();
 
-void View::Parts::gather(const DrawContext& context) {
-  environment.clear();
-  shadows.clear();
-  cloth.clear();
-  for (Strokes* strokes : {&springs, &marked_springs, &ghost_springs}) strokes->clear();
-  for (PointImpostors* impostors : {&points, &marked_points, &ghost_points}) impostors->clear();
+    network_renderer.project(context);
+    shadows.add(context, network_renderer);
+    environment.add(context, shadows);
+    if (context.options.surface) cloth.add(context, network_renderer);
+    // A cloth without visible springs still shows its supports and objects attached to it.
+    if (context.options.springs || !cloth.is_empty())
+      network_renderer.add_springs(context, context.options.springs ? NetworkRenderer::Subset::All : NetworkRenderer::Subset::OutsideCloth,
+                                   springs);
+    if (context.options.points || !cloth.is_empty())
+      network_renderer.add_points(context, context.options.points ? NetworkRenderer::Subset::All : NetworkRenderer::Subset::OutsideCloth,
+                                  points);
+    network_renderer.add_marks(context, marked_springs, marked_points);
+    add_arrows(context, ghost_springs);
+    add_ghosts(context, ghost_springs, ghost_points);
+  }
 
-  network_renderer.project(context);
-  shadows.add(context, network_renderer);
-  environment.add(context, shadows);
-  if (context.options.surface) cloth.add(context, network_renderer);
-  // A cloth without visible springs still shows its supports and objects attached to it.
-  if (context.options.springs || !cloth.is_empty())
-    network_renderer.add_springs(context, context.options.springs ? NetworkRenderer::Subset::All : NetworkRenderer::Subset::OutsideCloth,
-                                 springs);
-  if (context.options.points || !cloth.is_empty())
-    network_renderer.add_points(context, context.options.points ? NetworkRenderer::Subset::All : NetworkRenderer::Subset::OutsideCloth,
-                                points);
-  network_renderer.add_marks(context, marked_springs, marked_points);
-  add_arrows(context, ghost_springs);
-  add_ghosts(context, ghost_springs, ghost_points);
-}
-
-void View::Parts::draw_scene(const DrawContext& context, const Viewport& place, int width, int height) {
-  gather(context);
-  target.begin(width, height);
-  glDisable(GL_SCISSOR_TEST);
-  clear(context.options.background, context.options.transparent ? 0.0f : 1.0f);
-  glViewport(place.x, height - place.y - place.height, place.width, place.height);
-  set_state(context.snapshot.system->dimensions == 3);
-  glEnable(GL_SCISSOR_TEST);
-
-  // Only the edges of polygons need multisampling, which costs several times as much: the pixels around them are drawn multisampled, with
-  // everything there, and all others directly. Lines, points and panels are antialiased in their shaders.
-  const PixelBox whole{place.x, height - place.y - place.height, place.x + place.width, height - place.y};
-  PixelBox multisampled = context.options.samples > 0 ? polygons(context, whole) : PixelBox{};
-  if (!multisampled.is_empty() && !target.begin_multisampled(context.options.samples)) multisampled = {};
-  if (!multisampled.is_empty()) {
-    set_scissor(multisampled);
+  void draw_scene(const DrawContext& context, const Viewport& place, int width, int height) {
+    gather(context);
+    target.begin(width, height);
+    glDisable(GL_SCISSOR_TEST);
     clear(context.options.background, context.options.transparent ? 0.0f : 1.0f);
-    draw_environment(context, true);
-    target.resolve(multisampled);
+    glViewport(place.x, height - place.y - place.height, place.width, place.height);
+    set_state(context.snapshot.system->dimensions == 3);
+    glEnable(GL_SCISSOR_TEST);
+
+    // Only the edges of polygons need multisampling, which costs several times as much: the pixels around them are drawn multisampled, with
+    // everything there, and all others directly. Lines, points and panels are antialiased in their shaders.
+    const PixelBox whole{place.x, height - place.y - place.height, place.x + place.width, height - place.y};
+    PixelBox multisampled = context.options.samples > 0 ? polygons(context, whole) : PixelBox{};
+    if (!multisampled.is_empty() && !target.begin_multisampled(context.options.samples)) multisampled = {};
+    if (!multisampled.is_empty()) {
+      set_scissor(multisampled);
+      clear(context.options.background, context.options.transparent ? 0.0f : 1.0f);
+      draw_environment(context, true);
+      target.resolve(multisampled);
+    }
+    for (const PixelBox& part : around(multisampled, whole)) {
+      if (part.is_empty()) continue;
+      set_scissor(part);
+      draw_environment(context, multisampled.is_empty());
+    }
+    glDisable(GL_SCISSOR_TEST);
+    draw_network(context);
+    draw_over(context);
   }
-  for (const PixelBox& part : around(multisampled, whole)) {
-    if (part.is_empty()) continue;
-    set_scissor(part);
-    draw_environment(context, multisampled.is_empty());
+
+  // The pixels around the polygons in this part of the picture.
+  PixelBox polygons(const DrawContext& context, const PixelBox& place) const {
+    PixelExtent extent;
+    cloth.extend(extent, network_renderer);
+    environment.solids.extend(extent, context.projection);
+    return extent.within(place);
   }
-  glDisable(GL_SCISSOR_TEST);
-  draw_network(context);
-  draw_over(context);
-}
 
-// The pixels around the polygons in this part of the picture.
-PixelBox View::Parts::polygons(const DrawContext& context, const PixelBox& place) const {
-  PixelExtent extent;
-  cloth.extend(extent, network_renderer);
-  environment.solids.extend(extent, context.projection);
-  return extent.within(place);
-}
+  // Opaque objects, which can hide the network.
+  void draw_environment(const DrawContext& context, bool has_polygons) {
+    glDepthMask(GL_FALSE);
+    environment.backdrop.draw(ground_shader);
+    glDepthMask(GL_TRUE);
+    environment.floors.draw(ground_shader);
+    shadows.bind();
+    environment.balls.draw(ball_shader, context.projection, context.camera.pole, context.palette.shadow);
 
-// Opaque objects, which can hide the network.
-void View::Parts::draw_environment(const DrawContext& context, bool has_polygons) {
-  glDepthMask(GL_FALSE);
-  environment.backdrop.draw(ground_shader);
-  glDepthMask(GL_TRUE);
-  environment.floors.draw(ground_shader);
-  shadows.bind();
-  environment.balls.draw(ball_shader, context.projection, context.camera.pole, context.palette.shadow);
+    // Offset surfaces so that lines on them are visible.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.0f, 2.0f);
+    if (has_polygons) environment.solids.draw(surface_shader);
 
-  // Offset surfaces so that lines on them are visible.
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1.0f, 2.0f);
-  if (has_polygons) environment.solids.draw(surface_shader);
+    // Shadows lie on the surfaces.
+    glDepthMask(GL_FALSE);
+    glPolygonOffset(-1.0f, -2.0f);
+    shadows.draw(shadow_shader, context.palette.shadow);
+    glDepthMask(GL_TRUE);
+    // by their slope only if lines are on them: it puts triangles that are seen edge-on, at folds, behind what they cover
+    glPolygonOffset(context.options.springs ? 1.0f : 0.0f, 2.0f);
+    if (has_polygons) cloth.draw(cloth_shader);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+  }
 
-  // Shadows lie on the surfaces.
-  glDepthMask(GL_FALSE);
-  glPolygonOffset(-1.0f, -2.0f);
-  shadows.draw(shadow_shader, context.palette.shadow);
-  glDepthMask(GL_TRUE);
-  // by their slope only if lines are on them: it puts triangles that are seen edge-on, at folds, behind what they cover
-  glPolygonOffset(context.options.springs ? 1.0f : 0.0f, 2.0f);
-  if (has_polygons) cloth.draw(cloth_shader);
-  glDisable(GL_POLYGON_OFFSET_FILL);
-}
+  void draw_network(const DrawContext& context) {
+    const int width = context.projection.width(), height = context.projection.height();
+    glDepthMask(GL_FALSE);
+    environment.outlines.draw(stroke_shader, width, height);
+    marked_springs.draw(stroke_shader, width, height);
 
-void View::Parts::draw_network(const DrawContext& context) {
-  const int width = context.projection.width(), height = context.projection.height();
-  glDepthMask(GL_FALSE);
-  environment.outlines.draw(stroke_shader, width, height);
-  marked_springs.draw(stroke_shader, width, height);
+    // If lines wrote depth, their half-covered pixels would hide what is behind them, and a dense net would shimmer.
+    glDepthMask(network_renderer.is_dense(context.options) ? GL_FALSE : GL_TRUE);
+    springs.draw(stroke_shader, width, height);
+    glDepthMask(GL_TRUE);
+    points.draw(impostor_shader, width, height, context.options.scale);
+  }
 
-  // If lines wrote depth, their half-covered pixels would hide what is behind them, and a dense net would shimmer.
-  glDepthMask(network_renderer.is_dense(context.options) ? GL_FALSE : GL_TRUE);
-  springs.draw(stroke_shader, width, height);
-  glDepthMask(GL_TRUE);
-  points.draw(impostor_shader, width, height, context.options.scale);
-}
+  // Transparent objects and marks.
+  void draw_over(const DrawContext& context) {
+    const int width = context.projection.width(), height = context.projection.height();
+    glDepthMask(GL_FALSE);
+    glEnable(GL_CULL_FACE);
+    environment.transparent_solids.draw(surface_shader);
+    glDisable(GL_CULL_FACE);
+    environment.transparent_balls.draw(ball_shader, context.projection, context.camera.pole, context.palette.shadow);
+    environment.transparent_floors.draw(ground_shader);
 
-// Transparent objects and marks.
-void View::Parts::draw_over(const DrawContext& context) {
-  const int width = context.projection.width(), height = context.projection.height();
-  glDepthMask(GL_FALSE);
-  glEnable(GL_CULL_FACE);
-  environment.transparent_solids.draw(surface_shader);
-  glDisable(GL_CULL_FACE);
-  environment.transparent_balls.draw(ball_shader, context.projection, context.camera.pole, context.palette.shadow);
-  environment.transparent_floors.draw(ground_shader);
-
-  // Rings and previews are visible through everything.
-  glDisable(GL_DEPTH_TEST);
-  marked_points.draw(impostor_shader, width, height, context.options.scale);
-  ghost_springs.draw(stroke_shader, width, height);
-  ghost_points.draw(impostor_shader, width, height, context.options.scale);
-  glDepthMask(GL_TRUE);
-}
+    // Rings and previews are visible through everything.
+    glDisable(GL_DEPTH_TEST);
+    marked_points.draw(impostor_shader, width, height, context.options.scale);
+    ghost_springs.draw(stroke_shader, width, height);
+    ghost_points.draw(impostor_shader, width, height, context.options.scale);
+    glDepthMask(GL_TRUE);
+  }
+};
 
 ViewOptions options_for(const ViewSettings& settings, const ClothTexture& cloth_texture) {
   ViewOptions options;

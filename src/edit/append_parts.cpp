@@ -65,8 +65,7 @@ void append_parts(Scene& scene, const Scene& part) {
   if (!insert.points.empty()) {
     apply(scene, insert, effect);
     // generators come last in a file: those of the scene stay generators if the part consists of nothing else
-    const std::string& generators = part.preserved_json.generators;
-    scene.preserved_json.generators = joined(scene.preserved_json.generators, generators);
+    scene.preserved_json.generators = joined(scene.preserved_json.generators, part.preserved_json.generators);
   }
 
   SetColliders colliders{scene.system.colliders};

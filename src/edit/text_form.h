@@ -1,6 +1,7 @@
 // The text form of every type that commands consist of, as JSON and back, bit for bit. Aggregates follow from the names of their fields.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -94,9 +95,7 @@ struct Text<std::string> {
 template <>
 struct Text<Vec3> {
   static void write(JsonWriter& out, const Vec3& value) {
-    out.begin_list(JsonWriter::Layout::Line);
-    for (int c = 0; c < 3; ++c) hooke::write(out, value[c]);
-    out.end();
+    out.list(JsonWriter::Layout::Line, std::array{value.x, value.y, value.z}, [&](double component) { hooke::write(out, component); });
   }
   static Vec3 read(const JsonField& field) {
     const auto items = field.items(3, 3);
@@ -121,9 +120,7 @@ struct Text<std::optional<T>> {
 template <class T>
 struct Text<std::vector<T>> {
   static void write(JsonWriter& out, const std::vector<T>& list) {
-    out.begin_list(JsonWriter::Layout::Line);
-    for (const T& item : list) hooke::write(out, item);
-    out.end();
+    out.list(JsonWriter::Layout::Line, list, [&](const T& item) { hooke::write(out, item); });
   }
   static std::vector<T> read(const JsonField& field) {
     const auto items = field.items(0, max_springs);
@@ -137,9 +134,7 @@ struct Text<std::vector<T>> {
 template <class T, std::size_t count>
 struct Text<std::array<T, count>> {
   static void write(JsonWriter& out, const std::array<T, count>& list) {
-    out.begin_list(JsonWriter::Layout::Line);
-    for (const T& item : list) hooke::write(out, item);
-    out.end();
+    out.list(JsonWriter::Layout::Line, list, [&](const T& item) { hooke::write(out, item); });
   }
   static std::array<T, count> read(const JsonField& field) {
     const auto items = field.items(count, count);

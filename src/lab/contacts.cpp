@@ -46,8 +46,7 @@ std::vector<Feature> list_features(const System& system, const SurfacePlan& surf
 void compare(const Scene& scene, const PairPlan& pairs, const Feature& feature, Search& search) {
   if (std::ranges::count(feature.points, search.point) > 0) return;
   const bool is_point = feature.kind == Contact::Partner::Point;
-  const auto [first, second] = std::minmax(search.point, feature.number);
-  if (is_point && pairs.excludes(first, second)) return;
+  if (is_point && pairs.excludes(search.point, feature.number)) return;
   const auto place = [&](std::size_t i) { return scene.state.position[feature.points[i]]; };
   const auto radius_of = [&](Index i) { return scene.system.points()[i].radius; };
   const Vec3 x = scene.state.position[search.point];

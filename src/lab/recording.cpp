@@ -123,11 +123,8 @@ class RecordingReader {
     if (is_scene()) return read_scene();
     unknown_.clear();
     has_known_member_ = false;
-    walk_json(line_, name_,
-              {.is_list = [](std::string_view) { return false; },
-               .item = {},
-               .member = [this](std::string_view key, std::string_view text) { read_member(JsonField(name_, key, parser_.parse(text))); },
-               .is_one_line = true});
+    const auto take = [this](const JsonField& field) { read_member(field); };
+    read_members(line_, name_, take, true);
     if (number_ == 1)
       check_version();
     else if (!has_known_member_)
@@ -226,7 +223,6 @@ class RecordingReader {
   std::string unknown_;                 // first unknown member of the line
   bool has_known_member_ = false;       // in the line
   std::optional<Scene> pending_scene_;  // its rest has not been read yet
-  JsonParser parser_;
   Recording recording_;
 };
 

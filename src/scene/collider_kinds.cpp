@@ -160,13 +160,9 @@ std::vector<std::pair<Vec3, Vec3>> outline_of(const Collider& collider, double s
       }
   } else {
     const Box& shape_of_box = *box(collider);
-    const auto corner = [&](int bits) {
-      return Vec3((bits & 1) != 0 ? shape_of_box.max.x : shape_of_box.min.x, (bits & 2) != 0 ? shape_of_box.max.y : shape_of_box.min.y,
-                  (bits & 4) != 0 ? shape_of_box.max.z : shape_of_box.min.z);
-    };
     for (int bits = 0; bits < 8; ++bits)
       for (const int side : {1, 2, 4})
-        if ((bits & side) == 0) lines.emplace_back(corner(bits), corner(bits | side));
+        if ((bits & side) == 0) lines.emplace_back(shape_of_box.corner(bits), shape_of_box.corner(bits | side));
   }
   return lines;
 }

@@ -16,18 +16,17 @@ namespace {
 
 using Of = QuantityRow::Of;
 
-Spring spring_at(const Measurement& m, Index s) { return m.system.springs()[static_cast<std::size_t>(s)]; }
+Spring spring_at(const Measurement& m, Index s) { return m.system.springs()[s]; }
 
 double length_of(const Measurement& m, Index s) {
   const Spring spring = spring_at(m, s);
-  return glm::length(m.state.position[static_cast<std::size_t>(m.system.index_of(spring.second))] -
-                     m.state.position[static_cast<std::size_t>(m.system.index_of(spring.first))]);
+  return glm::length(m.state.position[m.system.index_of(spring.second)] - m.state.position[m.system.index_of(spring.first)]);
 }
 
 // With its dashpot.
 double force_of(const Measurement& m, Index s) {
   const Spring spring = spring_at(m, s);
-  const auto a = static_cast<std::size_t>(m.system.index_of(spring.first)), b = static_cast<std::size_t>(m.system.index_of(spring.second));
+  const Index a = m.system.index_of(spring.first), b = m.system.index_of(spring.second);
   const Vec3 along = m.state.position[b] - m.state.position[a];
   const double length = glm::length(along);
   const double rate = length > 0.0 ? glm::dot(m.state.velocity[b] - m.state.velocity[a], along) / length : 0.0;
@@ -76,11 +75,11 @@ double max_penetration(const Measurement& m) {
 
 template <int c>
 double position_of(const Measurement& m, Index i) {
-  return m.state.position[static_cast<std::size_t>(i)][c];
+  return m.state.position[i][c];
 }
 template <int c>
 double velocity_of(const Measurement& m, Index i) {
-  return m.state.velocity[static_cast<std::size_t>(i)][c];
+  return m.state.velocity[i][c];
 }
 template <int c>
 double momentum_of(const Measurement& m, Index) {

@@ -60,9 +60,9 @@ double stiffness_of(const Plan& plan, Index s) {
 // The number of free points connected to a nail.
 Index count_supported(const Plan& plan) {
   DisjointSets sets(static_cast<std::size_t>(plan.points));
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e)
-      if (stiffness_of(plan, run.begin + e) > 0.0) sets.join(run.first + e, run.second + e);
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    if (stiffness_of(plan, s) > 0.0) sets.join(i, j);
+  });
   std::vector<bool> holds(plan.points, false);
   for (Index i = 0; i < plan.points; ++i)
     if (plan.inverse_mass[i] == 0.0) holds[sets.root(i)] = true;
@@ -118,15 +118,13 @@ bool touches_itself(const Plan& plan, const Field& x) {
   return !PairSearch().find(plan, x, extent, pairs, PairSolver::max_pairs) || !pairs.empty();
 }
 bool is_overstretched(const Plan& plan, const System& system, const Field& x) {
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Spring& spring = system.springs()[plan.spring.index[run.begin + e]];
-      if (stiffness_of(plan, run.begin + e) == 0.0) continue;
-      const double length = glm::distance(vector_at(plan, x, run.first + e), vector_at(plan, x, run.second + e));
-      if (length >= system.break_length_of(spring)) return true;
-      if (system.strain_limit > 0.0 && length > spring.rest_length * (1.0 + system.strain_limit)) return true;
-    }
-  return false;
+  return any_spring(plan, [&](Index i, Index j, Index s) {
+    if (stiffness_of(plan, s) == 0.0) return false;
+    const Spring spring = system.springs()[plan.spring.index[s]];
+    const double length = glm::distance(vector_at(plan, x, i), vector_at(plan, x, j));
+    return length >= system.break_length_of(spring) ||
+           (system.strain_limit > 0.0 && length > spring.rest_length * (1.0 + system.strain_limit));
+  });
 }
 
 double sag_between(const Plan& plan, const Field& above, const Field& below) {
@@ -152,12 +150,11 @@ Field initial_guess(const Plan& plan, const System& system, const State& state, 
 // length.
 void snap_rest_lengths(Plan& plan, const Field& x) {
   constexpr double round_off = 1e-4;
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      double& rest_length = plan.spring.rest_length[run.begin + e];
-      const double length = glm::distance(vector_at(plan, x, run.first + e), vector_at(plan, x, run.second + e));
-      if (std::abs(length - rest_length) < round_off * rest_length) rest_length = length;
-    }
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    double& rest_length = plan.spring.rest_length[s];
+    const double length = glm::distance(vector_at(plan, x, i), vector_at(plan, x, j));
+    if (std::abs(length - rest_length) < round_off * rest_length) rest_length = length;
+  });
 }
 
 // Equilibrium with and without weight. Leaves it in x; returns the threshold below which modes count as unconstrained, or none if no

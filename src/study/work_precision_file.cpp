@@ -153,13 +153,7 @@ void write_problem(JsonWriter& json, const ProblemRecord& problem) {
   } else {
     json.null("reference");
   }
-  json.begin_list("rows", Layout::Lines);
-  for (const Row& row : problem.rows) {
-    json.begin_object(Layout::Line);
-    visit_row(row, fields);
-    json.end();
-  }
-  json.end();
+  json.objects("rows", problem.rows, [&](const Row& row) { visit_row(row, fields); });
   json.end();
 }
 
@@ -197,18 +191,8 @@ std::string format_results(const Results& results) {
   json.begin_object(Layout::Lines);
   fields("hooke_bench", 1);
   visit_results(results, fields);
-  if (!results.parts.empty()) {
-    json.begin_list("parts", Layout::Lines);
-    for (const PartRecord& part : results.parts) {
-      json.begin_object(Layout::Line);
-      visit_part(part, fields);
-      json.end();
-    }
-    json.end();
-  }
-  json.begin_list("scenes", Layout::Lines);
-  for (const ProblemRecord& problem : results.problems) write_problem(json, problem);
-  json.end();
+  if (!results.parts.empty()) json.objects("parts", results.parts, [&](const PartRecord& part) { visit_part(part, fields); });
+  json.list("scenes", Layout::Lines, results.problems, [&](const ProblemRecord& problem) { write_problem(json, problem); });
   json.end();
   return json.take() + '\n';
 }

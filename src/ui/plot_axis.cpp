@@ -42,4 +42,14 @@ PlotAxis fit_axis(double min, double max, int ticks) {
   return axis;
 }
 
+void LogAxis::include(double value) {
+  const double decade = std::log10(value);
+  const int below = static_cast<int>(std::floor(decade)), above = static_cast<int>(std::ceil(decade));
+  min = is_empty ? below : std::min(min, below);
+  max = std::max(is_empty ? above : std::max(max, above), min + 1);
+  is_empty = false;
+}
+
+float LogAxis::fraction(double value) const { return static_cast<float>((std::log10(value) - min) / (max - min)); }
+
 }  // namespace hooke

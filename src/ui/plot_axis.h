@@ -21,4 +21,13 @@ struct PlotAxis {
 // An axis for values from `min` to `max`, with about `ticks` ticks and a margin. Equal values get a range around them.
 PlotAxis fit_axis(double min, double max, int ticks);
 
+// A logarithmic axis: the decades of the values, at least one.
+struct LogAxis {
+  int min = 0, max = 1;
+  bool is_empty = true;
+
+  void include(double value);
+  float fraction(double value) const;
+};
+
 }  // namespace hooke

@@ -2,9 +2,11 @@
 
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "lab/accuracy/accuracy_text.h"
 #include "ui/wrapped_text.h"
 
 namespace hooke {
@@ -122,6 +124,30 @@ void progress_bar(double fraction, double seconds, float width) {
   ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette::tinted);
   ImGui::ProgressBar(static_cast<float>(fraction), {width, units(30.0)}, text);
   ImGui::PopStyleColor();
+}
+
+bool close_button() {
+  const ImVec2 size{units(64.0), units(30.0)};
+  ImGui::SameLine(ImGui::GetWindowWidth() - size.x - ImGui::GetStyle().WindowPadding.x);
+  return ImGui::Button("Close", size);
+}
+
+void shaded_text(ImDrawList& list, ImVec2 at, const std::string& text, ImVec2 margin, double rounding) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float dx = units(margin.x), dy = units(margin.y);
+  list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(rounding));
+  list.AddText(at, palette::text, text.c_str());
+}
+
+void draw_decades(ImDrawList& list, const LogAxis& axis, ImVec2 min, ImVec2 max, int count) {
+  for (int decade = axis.min; decade <= axis.max; decade += std::max(1, (axis.max - axis.min) / count)) {
+    const double length = std::pow(10.0, decade);
+    const float y = max.y - (max.y - min.y) * axis.fraction(length);
+    list.AddLine({min.x, y}, {max.x, y}, palette::line);
+    const std::string label = length_text(length * (1.0 + 1e-9));
+    const ImVec2 size = ImGui::CalcTextSize(label.c_str());
+    list.AddText({min.x - size.x - units(6.0), y - 0.5f * size.y}, palette::dim, label.c_str());
+  }
 }
 
 void text_in(ImU32 color, const std::string& text) {

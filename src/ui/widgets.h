@@ -8,6 +8,7 @@
 
 #include "ui/icons.h"
 #include "ui/layout.h"
+#include "ui/plot_axis.h"
 #include "ui/shortcuts.h"
 #include "ui/theme.h"
 
@@ -62,6 +63,9 @@ void tooltip(const std::string& text);
 // "Undo nail 3 points  (Ctrl+Z)"
 void tooltip(Action action, const std::string& detail = {});
 
+// At the right end of the last row of a panel. Returns whether it was pressed.
+bool close_button();
+
 // The fraction done, and an estimate of the remaining time from the `seconds` taken so far.
 void progress_bar(double fraction, double seconds, float width);
 
@@ -70,6 +74,11 @@ inline void same_line_for(const char* text) {
   ImGui::SameLine();
   if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(text).x + 2.0f * ImGui::GetStyle().FramePadding.x) ImGui::NewLine();
 }
+
+// Text on a ground that extends beyond it by `margin` and is rounded [design units].
+void shaded_text(ImDrawList& list, ImVec2 at, const std::string& text, ImVec2 margin, double rounding = 4.0);
+// Lines across a chart at powers of ten of a length [m], at most about `count` of them, with labels on its left side.
+void draw_decades(ImDrawList& list, const LogAxis& axis, ImVec2 min, ImVec2 max, int count);
 
 void text_in(ImU32 color, const std::string& text);
 void dim_text(const std::string& text);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lab/accuracy/energy_accounts.h"
+#include "lab/accuracy/accuracy_meter.h"
 #include "scene/parameters.h"
 #include "sim/forces/force_terms.h"
 #include "sim/methods/integrator.h"

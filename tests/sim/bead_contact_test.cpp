@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/forces/energy/energy.h"
-#include "sim/plan/pair_plan.h"
+#include "sim/plan/plan.h"
 #include "support/convergence.h"
 #include "support/random_scene.h"
 

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "app/document/home.h"
 #include "base/atomic_write.h"
 #include "base/bounds.h"
 #include "base/errors.h"
 #include "base/json_field.h"
-#include "base/json_text.h"
 #include "base/json_writer.h"
 #include "base/printable.h"
 #include "base/read_file.h"
@@ -31,15 +29,6 @@ constexpr std::array switches{
 };
 
 constexpr std::string_view settings_name = "settings.json", recent_name = "recent.json", version_name = "hooke_settings";
-
-// Calls `take` with every top-level member. Throws InputError.
-void read_members(const std::string& text, const std::string& name, const std::function<void(const JsonField& field)>& take) {
-  JsonParser parser;
-  walk_json(text, name,
-            {.is_list = [](std::string_view) { return false; },
-             .item = nullptr,
-             .member = [&](std::string_view key, std::string_view value) { take(JsonField(name, key, parser.parse(value))); }});
-}
 
 void check_version(const JsonField& field) {
   if (field.number() > newest_settings_version)
@@ -124,12 +113,10 @@ void RecentFiles::save() const {
   if (folder_.empty()) return;
   JsonWriter writer;
   writer.begin_object(JsonWriter::Layout::Lines);
-  writer.key("files");
-  writer.begin_list(JsonWriter::Layout::Lines);
-  // JSON requires UTF-8
-  for (const fs::path& file : files_)
+  writer.list("files", JsonWriter::Layout::Lines, files_, [&](const fs::path& file) {
+    // JSON requires UTF-8
     if (is_utf8(file.native())) writer.text(file.native());
-  writer.end();
+  });
   writer.end();
   try {
     make_private_folder(folder_);

@@ -12,7 +12,6 @@
 #include "base/atomic_write.h"
 #include "base/errors.h"
 #include "base/json_field.h"
-#include "base/json_text.h"
 #include "base/json_writer.h"
 #include "base/printable.h"
 #include "base/read_file.h"
@@ -69,16 +68,10 @@ RunInfo read_run_info(const fs::path& folder) {
   RunInfo run_info;
   try {
     const std::string text = read_file(folder / run_info_name), shown = printable((folder / run_info_name).native());
-    JsonParser parser;
-    walk_json(text, shown,
-              {.is_list = [](std::string_view) { return false; },
-               .item = nullptr,
-               .member =
-                   [&](std::string_view key, std::string_view value) {
-                     const JsonField field(shown, key, parser.parse(value));
-                     if (field.is("file")) run_info.file = std::string(field.text());
-                     if (field.is("name")) run_info.name = std::string(field.text());
-                   }});
+    read_members(text, shown, [&](const JsonField& field) {
+      if (field.is("file")) run_info.file = std::string(field.text());
+      if (field.is("name")) run_info.name = std::string(field.text());
+    });
   } catch (const std::runtime_error&) {  // InputError or FileError
   }
   return run_info;

@@ -8,19 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "base/lists/value_iterator.h"
+#include "base/lists/value_list.h"
 #include "base/types.h"
 
 namespace hooke {
 
 // An entry takes no memory if all are the same, one byte if there are at most 256 different ones, two bytes if there are at most 4096, and
 // otherwise eight. Numbers keep their bits.
-class NumberList {
+class NumberList : public ValueList<NumberList, double> {
  public:
-  using value_type = double;
-  using const_iterator = ValueIterator<NumberList>;
-  using iterator = const_iterator;
-
   NumberList() = default;
   NumberList(const std::vector<double>& numbers);  // implicit: wherever a plain list is at hand
   NumberList(const NumberList&) = default;
@@ -31,14 +27,10 @@ class NumberList {
   ~NumberList() = default;
 
   std::size_t size() const { return size_; }
-  bool empty() const { return size_ == 0; }
   double operator[](std::size_t i) const {
     if (width_ == Width::None) return different_[0];
     return different_[width_ == Width::Byte ? bytes_[i] : width_ == Width::Short ? shorts_[i] : i];
   }
-  double back() const { return (*this)[size_ - 1]; }
-  const_iterator begin() const { return {*this, 0}; }
-  const_iterator end() const { return {*this, size_}; }
 
   void reserve(std::size_t capacity);
   void resize(std::size_t size, double number);

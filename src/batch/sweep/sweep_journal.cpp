@@ -14,7 +14,6 @@
 #include "base/errors.h"
 #include "base/formatted.h"
 #include "base/json_field.h"
-#include "base/json_text.h"
 #include "base/json_writer.h"
 #include "base/printable.h"
 #include "base/read_file.h"
@@ -30,9 +29,7 @@ std::string format_row(const SweepRow& row) {
   json.integer("row", static_cast<std::int64_t>(row.row));
   json.text("status", sweep_status_name(row.status));
   json.text("note", row.note);
-  json.begin_list("values", JsonWriter::Layout::Line);
-  for (const std::optional<double>& value : row.values) json.number(value);
-  json.end();
+  json.list("values", JsonWriter::Layout::Line, row.values, [&](const std::optional<double>& value) { json.number(value); });
   json.end();
   return json.take() + "\n";
 }
@@ -40,12 +37,9 @@ std::string format_row(const SweepRow& row) {
 // Calls `read` for each member of a line and checks that there are `count` different known ones; `read` returns whether it knows the
 // member.
 void read_line(const std::string& line, const std::string& location, int count, const std::function<bool(const JsonField& field)>& read) {
-  JsonParser parser;
   int known = 0;
-  const auto read_member = [&](std::string_view key, std::string_view text) {
-    known += read(JsonField(location, key, parser.parse(text))) ? 1 : 0;
-  };
-  walk_json(line, location, {.is_list = [](std::string_view) { return false; }, .item = {}, .member = read_member, .is_one_line = true});
+  const auto count_member = [&](const JsonField& field) { known += read(field) ? 1 : 0; };
+  read_members(line, location, count_member, true);
   if (known != count) throw InputError(location + ": members are missing: not a sweep");
 }
 
@@ -120,19 +114,13 @@ std::string format_definition(const Sweep& sweep) {
   json.text("scene", sweep.scene);
   json.text("fingerprint", formatted("%016llx", static_cast<unsigned long long>(sweep.fingerprint)));
   json.number("seconds", sweep.seconds);
-  json.begin_list("vary", JsonWriter::Layout::Line);
-  for (const SweepAxis& axis : sweep.axes) {
+  json.list("vary", JsonWriter::Layout::Line, sweep.axes, [&](const SweepAxis& axis) {
     json.begin_object(JsonWriter::Layout::Line);
     json.text("name", axis.parameter->name);
-    json.begin_list("values", JsonWriter::Layout::Line);
-    for (const double value : axis.values) json.text(value_text(*axis.parameter, value));
+    json.list("values", JsonWriter::Layout::Line, axis.values, [&](double value) { json.text(value_text(*axis.parameter, value)); });
     json.end();
-    json.end();
-  }
-  json.end();
-  json.begin_list("measures", JsonWriter::Layout::Line);
-  for (const SweepMeasure& measure : sweep.measures) json.text(measure.name);
-  json.end();
+  });
+  json.list("measures", JsonWriter::Layout::Line, sweep.measures, [&](const SweepMeasure& measure) { json.text(measure.name); });
   json.end();
   return json.take() + "\n";
 }

@@ -53,29 +53,18 @@ std::string format_sweep_json(const Sweep& sweep, const SweepRows& rows) {
   json.text("scene", sweep.scene);
   json.number("seconds", sweep.seconds);
   json.boolean("complete", rows.size() == sweep.row_count());
-  json.begin_list("vary", TableLayout::Lines);
-  for (const SweepAxis& axis : sweep.axes) {
-    json.begin_object(TableLayout::Line);
+  json.objects("vary", sweep.axes, [&](const SweepAxis& axis) {
     json.text("name", axis.parameter->name);
     json.text("unit", axis.parameter->unit);
-    json.begin_list("values", TableLayout::Line);
-    for (const double value : axis.values) write_value(json, *axis.parameter, value);
-    json.end();
-    json.end();
-  }
-  json.end();
-  json.begin_list("measures", TableLayout::Lines);
-  for (const SweepMeasure& measure : sweep.measures) {
-    json.begin_object(TableLayout::Line);
+    json.list("values", TableLayout::Line, axis.values, [&](double value) { write_value(json, *axis.parameter, value); });
+  });
+  json.objects("measures", sweep.measures, [&](const SweepMeasure& measure) {
     json.text("name", measure.name);
     json.text("unit", measure.unit());
-    json.end();
-  }
-  json.end();
+  });
   json.integer("row_count", static_cast<std::int64_t>(sweep.row_count()));
-  json.begin_list("rows", TableLayout::Lines);
-  for (const auto& [number, row] : rows) {
-    json.begin_object(TableLayout::Line);
+  json.objects("rows", rows, [&](const auto& numbered) {
+    const auto& [number, row] = numbered;
     json.integer("row", static_cast<std::int64_t>(number));
     const std::vector<double> values = sweep.values_of(number);
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -83,14 +72,10 @@ std::string format_sweep_json(const Sweep& sweep, const SweepRows& rows) {
       write_value(json, *sweep.axes[i].parameter, values[i]);
     }
     // a quantity may have the name of a parameter
-    json.begin_list("values", TableLayout::Line);
-    for (const std::optional<double>& value : row.values) json.number(value);
-    json.end();
+    json.list("values", TableLayout::Line, row.values, [&](const std::optional<double>& value) { json.number(value); });
     json.text("status", sweep_status_name(row.status));
     json.text("note", row.note);
-    json.end();
-  }
-  json.end();
+  });
   json.end();
   return json.take() + "\n";
 }

@@ -94,16 +94,13 @@ std::string format_checks(const std::vector<std::pair<std::string, CheckResult>>
   JsonWriter json;
   json.begin_object(JsonWriter::Layout::Lines);
   json.text("version", program_version);
-  json.begin_list("checks", JsonWriter::Layout::Lines);
-  for (const auto& [name, result] : results) {
-    json.begin_object(JsonWriter::Layout::Line);
+  json.objects("checks", results, [&](const auto& named) {
+    const auto& [name, result] = named;
     json.text("scene", name);
     json.text("method", result.method->id);
     json.boolean("passed", result.passed);
     json.text("measured", result.measured);
-    json.end();
-  }
-  json.end();
+  });
   json.integer("failed", failed);
   json.boolean("interrupted", was_interrupted());
   json.end();

@@ -51,13 +51,57 @@ class VideoEncoder : public FilmEncoder {
   void add(const Picture& picture, long frames) override {
     for (long i = 0; i < frames; ++i) add(picture);
   }
-  void close() override;
-  void abort() override;
+
+  void close() override {
+    if (const int code = finish(); code != 0) fail("ffmpeg ended with " + std::to_string(code));
+    std::error_code error;
+    std::filesystem::rename(unfinished_, file_, error);
+    if (error) fail(error.message());
+  }
+
+  void abort() override {
+    aborted_ = true;
+    ::shutdown(ffmpeg_socket_, SHUT_RDWR);
+  }
 
  private:
-  void add(const Picture& picture);
-  int finish();
-  [[noreturn]] void fail(const std::string& why) const;
+  void add(const Picture& picture) {
+    if (picture.width != width_ || picture.height != height_) fail("the size of the picture differs");
+    const std::uint8_t* at = picture.pixels.data();
+    std::size_t left = picture.pixels.size();
+    while (left > 0) {
+      const ssize_t sent = ::send(ffmpeg_socket_, at, left, MSG_NOSIGNAL);
+      if (sent < 0 && errno == EINTR) continue;
+      if (sent < 0) {
+        // the rest of its input is not needed
+        if (aborted_) ::kill(ffmpeg_, SIGKILL);
+        finish();
+        fail("ffmpeg ended early");
+      }
+      at += sent;
+      left -= static_cast<std::size_t>(sent);
+    }
+  }
+
+  // The exit code of ffmpeg; -1 if a signal ended it.
+  int finish() {
+    if (ffmpeg_socket_ >= 0) ::close(ffmpeg_socket_.exchange(-1));
+    if (ffmpeg_ <= 0) return -1;
+    int status = 0;
+    while (::waitpid(ffmpeg_, &status, 0) < 0 && errno == EINTR) {
+    }
+    ffmpeg_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  // Adds the first line of the output of ffmpeg to the message. Also called by the constructor, after which no destructor runs.
+  [[noreturn]] void fail(const std::string& why) const {
+    std::string first_line;
+    std::getline(std::ifstream(stderr_file_), first_line);
+    std::error_code ignored;
+    std::filesystem::remove(stderr_file_, ignored);
+    throw FileError(printable(file_.native()) + ": " + why + (first_line.empty() ? "" : ": " + printable(first_line, 200)));
+  }
 
   std::filesystem::path file_, unfinished_, stderr_file_;
   int width_, height_;
@@ -110,56 +154,6 @@ VideoEncoder::~VideoEncoder() {
   std::error_code ignored;
   std::filesystem::remove(unfinished_, ignored);
   std::filesystem::remove(stderr_file_, ignored);
-}
-
-// The exit code of ffmpeg; -1 if a signal ended it.
-int VideoEncoder::finish() {
-  if (ffmpeg_socket_ >= 0) ::close(ffmpeg_socket_.exchange(-1));
-  if (ffmpeg_ <= 0) return -1;
-  int status = 0;
-  while (::waitpid(ffmpeg_, &status, 0) < 0 && errno == EINTR) {
-  }
-  ffmpeg_ = 0;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-void VideoEncoder::abort() {
-  aborted_ = true;
-  ::shutdown(ffmpeg_socket_, SHUT_RDWR);
-}
-
-void VideoEncoder::add(const Picture& picture) {
-  if (picture.width != width_ || picture.height != height_) fail("the size of the picture differs");
-  const std::uint8_t* at = picture.pixels.data();
-  std::size_t left = picture.pixels.size();
-  while (left > 0) {
-    const ssize_t sent = ::send(ffmpeg_socket_, at, left, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0) {
-      // the rest of its input is not needed
-      if (aborted_) ::kill(ffmpeg_, SIGKILL);
-      finish();
-      fail("ffmpeg ended early");
-    }
-    at += sent;
-    left -= static_cast<std::size_t>(sent);
-  }
-}
-
-void VideoEncoder::close() {
-  if (const int code = finish(); code != 0) fail("ffmpeg ended with " + std::to_string(code));
-  std::error_code error;
-  std::filesystem::rename(unfinished_, file_, error);
-  if (error) fail(error.message());
-}
-
-// Adds the first line of the output of ffmpeg to the message. Also called by the constructor, after which no destructor runs.
-void VideoEncoder::fail(const std::string& why) const {
-  std::string first_line;
-  std::getline(std::ifstream(stderr_file_), first_line);
-  std::error_code ignored;
-  std::filesystem::remove(stderr_file_, ignored);
-  throw FileError(printable(file_.native()) + ": " + why + (first_line.empty() ? "" : ": " + printable(first_line, 200)));
 }
 
 }  // namespace

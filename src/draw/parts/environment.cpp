@@ -20,21 +20,19 @@ double pixel_at_target(const DrawContext& context) {
 }
 
 void add_box(const DrawContext& context, const Box& box, Rgba fill, Rgba line, Surfaces& surfaces, Strokes& strokes) {
-  const auto corner = [&](int which) {
-    return Vec3(which & 1 ? box.max.x : box.min.x, which & 2 ? box.max.y : box.min.y, which & 4 ? box.max.z : box.min.z);
-  };
-
   // Counterclockwise, seen from outside.
   constexpr int sides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (int side = 0; side < 6; ++side) {
     Vec3 normal(0.0);
     normal[side / 2] = side % 2 == 0 ? -1.0 : 1.0;
-    const Vec3 corners[4] = {corner(sides[side][0]), corner(sides[side][1]), corner(sides[side][2]), corner(sides[side][3])};
+    const Vec3 corners[4] = {box.corner(sides[side][0]), box.corner(sides[side][1]), box.corner(sides[side][2]),
+                             box.corner(sides[side][3])};
     surfaces.add_quad(context.projection, corners, normal, fill);
   }
   for (int a = 0; a < 8; ++a)
     for (const int bit : {1, 2, 4})
-      if (!(a & bit)) strokes.add(context.projection, corner(a), corner(a | bit), line, static_cast<float>(context.options.scale), 4.0);
+      if (!(a & bit))
+        strokes.add(context.projection, box.corner(a), box.corner(a | bit), line, static_cast<float>(context.options.scale), 4.0);
 }
 
 // A convex shape in the plane z = 0, filled from its center.

@@ -24,10 +24,6 @@ void each_collider(const DrawContext& context, const ShadowReceiver& receiver, U
     if (system.colliders[c].solid && static_cast<Index>(c) != receiver.collider) use(current_collider(system, context.snapshot.state, c));
 }
 
-Vec3 corner_of(const Box& box, int which) {
-  return {which & 1 ? box.max.x : box.min.x, which & 2 ? box.max.y : box.min.y, which & 4 ? box.max.z : box.min.z};
-}
-
 int steps_across(float length, const SoftShadowMap& map) {
   constexpr float max_steps = 64.0f;
   return static_cast<int>(std::clamp(std::ceil(length / map.texel()), 1.0f, max_steps));
@@ -61,9 +57,9 @@ void add_box(const Box& box, const ShadowReceiver& receiver, SoftShadowMap& map)
     normal[side / 2] = side % 2 == 0 ? -1.0 : 1.0;
     const double up = glm::dot(normal, receiver.above);
     if (up > 0.5) continue;
-    const glm::vec3 from = receiver.place_of(corner_of(box, sides[side][0]));
-    const glm::vec3 right = receiver.place_of(corner_of(box, sides[side][0] | sides[side][1])) - from;
-    const glm::vec3 up_to = receiver.place_of(corner_of(box, sides[side][0] | sides[side][2])) - from;
+    const glm::vec3 from = receiver.place_of(box.corner(sides[side][0]));
+    const glm::vec3 right = receiver.place_of(box.corner(sides[side][0] | sides[side][1])) - from;
+    const glm::vec3 up_to = receiver.place_of(box.corner(sides[side][0] | sides[side][2])) - from;
     const int m = steps_across(glm::length(right), map), n = steps_across(glm::length(up_to), map);
     const float whole =
         glm::length(glm::cross(right, up_to)) * std::max(static_cast<float>(std::abs(up)), SoftShadowMap::edge_on_occlusion);
@@ -163,7 +159,7 @@ std::vector<ShadowCasters::Caster> ShadowCasters::colliders_over(const DrawConte
     if (const auto* box = std::get_if<Box>(&collider.shape)) {
       glm::vec3 low(infinite), high(-infinite);
       for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 place = receiver.place_of(corner_of(*box, corner));
+        const glm::vec3 place = receiver.place_of(box->corner(corner));
         low = glm::min(low, place);
         high = glm::max(high, place);
       }

@@ -1,8 +1,10 @@
 #include "draw/parts/strokes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "draw/gl/shader.h"
 
@@ -31,6 +33,13 @@ bool cut_to_picture(glm::dvec4& a, glm::dvec4& b) {
   return a.w > 0.0 && b.w > 0.0;
 }
 
+// The projections of the ends of what is in the picture of a line between two clip coordinates; none: nothing, or an end is not finite.
+using Ends = std::array<ProjectedPoint, 2>;
+std::optional<Ends> project_in_picture(const Projection& projection, glm::dvec4 a, glm::dvec4 b) {
+  if ((projection.project(a).outside | projection.project(b).outside) & NotFinite || !cut_to_picture(a, b)) return std::nullopt;
+  return Ends{projection.project(a), projection.project(b)};
+}
+
 }  // namespace
 
 Strokes::Strokes()
@@ -41,13 +50,9 @@ Strokes::Strokes()
 
 void Strokes::add(const Projection& projection, const glm::dvec4& a, const ProjectedPoint& projected_a, const glm::dvec4& b,
                   const ProjectedPoint& projected_b, Rgba rgba, float width) {
-  if ((projected_a.outside | projected_b.outside) == 0)
-    return add_projected(projected_a.x, projected_a.y, projected_a.depth, projected_b.x, projected_b.y, projected_b.depth, rgba, width);
-  if ((projected_a.outside & projected_b.outside) != 0 || ((projected_a.outside | projected_b.outside) & NotFinite)) return;
-  glm::dvec4 start = a, end = b;
-  if (!cut_to_picture(start, end)) return;
-  const ProjectedPoint from = projection.project(start), to = projection.project(end);
-  add_projected(from.x, from.y, from.depth, to.x, to.y, to.depth, rgba, width);
+  if ((projected_a.outside | projected_b.outside) == 0) return add_projected(projected_a, projected_b, rgba, width);
+  if ((projected_a.outside & projected_b.outside) != 0) return;
+  if (const auto ends = project_in_picture(projection, a, b)) add_projected((*ends)[0], (*ends)[1], rgba, width);
 }
 
 void Strokes::add(const Projection& projection, const Vec3& a, const Vec3& b, Rgba rgba, float width, double depth_offset) {
@@ -57,33 +62,31 @@ void Strokes::add(const Projection& projection, const Vec3& a, const Vec3& b, Rg
 }
 
 void Strokes::add_dashed(const Projection& projection, const Vec3& a, const Vec3& b, Rgba rgba, float width, float dash, float gap) {
-  glm::dvec4 start = projection.clip(a), end = projection.clip(b);
-  if ((projection.project(start).outside | projection.project(end).outside) & NotFinite) return;
-  if (!cut_to_picture(start, end)) return;
-  const ProjectedPoint from = projection.project(start), to = projection.project(end);
+  const auto ends = project_in_picture(projection, projection.clip(a), projection.clip(b));
+  if (!ends) return;
+  const auto& [from, to] = *ends;
   const float length = std::hypot(to.x - from.x, to.y - from.y);
-  for (float at = 0.0f; at < length; at += dash + gap) {
-    const float s = at / length, t = std::min(at + dash, length) / length;
-    add_projected(std::lerp(from.x, to.x, s), std::lerp(from.y, to.y, s), std::lerp(from.depth, to.depth, s), std::lerp(from.x, to.x, t),
-                  std::lerp(from.y, to.y, t), std::lerp(from.depth, to.depth, t), rgba, width);
-  }
+  const auto at = [&, &start = from, &end = to](float t) {
+    return ProjectedPoint{
+        .x = std::lerp(start.x, end.x, t), .y = std::lerp(start.y, end.y, t), .depth = std::lerp(start.depth, end.depth, t)};
+  };
+  for (float s = 0.0f; s < length; s += dash + gap) add_projected(at(s / length), at(std::min(s + dash, length) / length), rgba, width);
 }
 
 void Strokes::add_arrow(const Projection& projection, const Vec3& a, const Vec3& b, Rgba rgba, float width, float head) {
-  glm::dvec4 start = projection.clip(a), end = projection.clip(b);
-  if ((projection.project(start).outside | projection.project(end).outside) & NotFinite) return;
-  if (!cut_to_picture(start, end)) return;
-  const ProjectedPoint from = projection.project(start), to = projection.project(end);
+  const auto ends = project_in_picture(projection, projection.clip(a), projection.clip(b));
+  if (!ends) return;
+  const auto& [from, to] = *ends;
   const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
   if (length < 1.5f * width) return;
-  add_projected(from.x, from.y, from.depth, to.x, to.y, to.depth, rgba, width);
+  add_projected(from, to, rgba, width);
   const float back = std::min(head, 0.6f * length) / length, side = 0.45f * back;
   for (const float turn : {side, -side})
-    add_projected(to.x, to.y, to.depth, to.x - back * dx - turn * dy, to.y - back * dy + turn * dx, to.depth, rgba, width);
+    add_projected(to, {.x = to.x - back * dx - turn * dy, .y = to.y - back * dy + turn * dx, .depth = to.depth}, rgba, width);
 }
 
-void Strokes::add_projected(float ax, float ay, float a_depth, float bx, float by, float b_depth, Rgba rgba, float width) {
-  const float dx = bx - ax, dy = by - ay;
+void Strokes::add_projected(const ProjectedPoint& a, const ProjectedPoint& b, Rgba rgba, float width) {
+  const float dx = b.x - a.x, dy = b.y - a.y;
   const float length = std::sqrt(dx * dx + dy * dy);
   if (!(length > 1e-3f)) return;
 
@@ -92,10 +95,10 @@ void Strokes::add_projected(float ax, float ay, float a_depth, float bx, float b
   const float nx = -dy / length * reach, ny = dx / length * reach;
   const auto across = static_cast<std::int16_t>(256.0f * reach), half = static_cast<std::int16_t>(128.0f * width);
   const auto other = static_cast<std::int16_t>(-across);
-  vertices_.push_back({ax + nx, ay + ny, a_depth, rgba, across, half});
-  vertices_.push_back({ax - nx, ay - ny, a_depth, rgba, other, half});
-  vertices_.push_back({bx + nx, by + ny, b_depth, rgba, across, half});
-  vertices_.push_back({bx - nx, by - ny, b_depth, rgba, other, half});
+  for (const ProjectedPoint* end : {&a, &b}) {
+    vertices_.push_back({end->x + nx, end->y + ny, end->depth, rgba, across, half});
+    vertices_.push_back({end->x - nx, end->y - ny, end->depth, rgba, other, half});
+  }
 }
 
 void Strokes::draw(const Shader& shader, int width, int height) {

@@ -36,7 +36,7 @@ class Strokes {
     Rgba rgba;
     std::int16_t across, half_width;  // [px / 256]
   };
-  void add_projected(float ax, float ay, float a_depth, float bx, float by, float b_depth, Rgba rgba, float width);
+  void add_projected(const ProjectedPoint& a, const ProjectedPoint& b, Rgba rgba, float width);
 
   std::vector<Vertex> vertices_;
   VertexStream stream_;

@@ -188,7 +188,7 @@ LooseParts loose_parts_of(const System& system) {
   for (const Face& face : system.faces)
     for (int c = 0; c < 3; ++c) {
       const Index i = system.index_of(face.points[c]), j = system.index_of(face.points[(c + 1) % 3]);
-      is_on_face[static_cast<std::size_t>(i)] = true;
+      is_on_face[i] = true;
       sides.push_back({std::min(i, j), std::max(i, j)});
     }
   std::sort(sides.begin(), sides.end());
@@ -196,9 +196,8 @@ LooseParts loose_parts_of(const System& system) {
   LooseParts loose;
   std::vector<bool> is_used = is_on_face;
   for (const Spring& spring : system.springs()) {
-    const auto first = static_cast<std::size_t>(system.index_of(spring.first)),
-               second = static_cast<std::size_t>(system.index_of(spring.second));
-    const std::array<Index, 2> line{static_cast<Index>(std::min(first, second)), static_cast<Index>(std::max(first, second))};
+    const Index first = system.index_of(spring.first), second = system.index_of(spring.second);
+    const std::array<Index, 2> line{std::min(first, second), std::max(first, second)};
     const bool is_free = !is_on_face[first] || !is_on_face[second];
     if (!is_free && (spring.family == SpringFamily::Shear || spring.family == SpringFamily::Bend ||
                      std::binary_search(sides.begin(), sides.end(), line)))

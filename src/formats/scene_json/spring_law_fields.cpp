@@ -1,6 +1,8 @@
 #include "formats/scene_json/spring_law_fields.h"
 
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/text_lines.h"
 #include "formats/scene_json/scene_fields.h"
@@ -65,10 +67,8 @@ void write_law(const SpringLaw& law, JsonWriter& out) {
   }
   if (law.rate != 0.0) out.number("rest_length_rate", law.rate);
   if (!std::isfinite(law.max_rest_length) && law.min_rest_length == 0.0) return;
-  out.begin_list("rest_length_limits", JsonWriter::Layout::Line);
-  out.number(law.min_rest_length);
-  out.number(std::optional(law.max_rest_length));
-  out.end();
+  const std::array<std::optional<double>, 2> limits{law.min_rest_length, law.max_rest_length};
+  out.list("rest_length_limits", JsonWriter::Layout::Line, limits, [&](const std::optional<double>& limit) { out.number(limit); });
 }
 
 }  // namespace hooke

@@ -25,10 +25,6 @@ std::optional<std::string> bending_warning(const System& system) {
 }
 
 std::optional<std::string> rest_angle_warning(const System& system) {
-  std::vector<FaceCorners> faces(system.faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int c = 0; c < 3; ++c) faces[f][c] = system.index_of(system.faces[f].points[c]);
-  const auto corner = [&](const FaceEdge& edge, int next) { return faces[edge.face][(edge.corner + next) % 3]; };
   const auto angle = [&](const FaceEdge& edge) { return system.faces[edge.face].rest_angle[edge.corner]; };
   const auto name_of = [](const FaceEdge& edge) {
     return "rest_angles[" + std::to_string(edge.face) + "][" + std::to_string(edge.corner) + "]";
@@ -37,18 +33,16 @@ std::optional<std::string> rest_angle_warning(const System& system) {
 
   std::size_t count = 0;
   std::optional<std::string> first_of_them;
-  const std::vector<FaceEdge> sides = sorted_edges(faces);
-  for (std::size_t s = 0, end = 0; s < sides.size(); s = end) {
-    while (end < sides.size() && sides[end].ends == sides[s].ends) ++end;
-    if (end - s != 2 || corner(sides[s], 0) == corner(sides[s + 1], 0)) continue;
-    const auto& [first, second] = std::minmax(sides[s], sides[s + 1], [](const FaceEdge& a, const FaceEdge& b) { return a.face < b.face; });
+  for_each_edge(sorted_edges(system), [&](std::span<const FaceEdge> same) {
+    if (same.size() != 2 || same[0].opposite == same[1].opposite) return;
+    const FaceEdge &first = same[0], &second = same[1];
     // faces with opposite normals see opposite angles
-    const double expected = corner(first, 1) == corner(second, 1) ? -angle(first) : angle(first);
-    if (std::abs(std::remainder(angle(second) - expected, 2.0 * std::numbers::pi)) <= round_off) continue;
+    const double expected = first.from == second.from ? -angle(first) : angle(first);
+    if (std::abs(std::remainder(angle(second) - expected, 2.0 * std::numbers::pi)) <= round_off) return;
     if (count++ == 0)
       first_of_them = name_of(second) + ": " + quantity_text(angle(second), "rad", 3) + ": " + name_of(first) + " means " +
                       quantity_text(expected, "rad", 3) + " at the same edge: bending \"as_built\" rests between both";
-  }
+  });
   if (count > 1) *first_of_them += " (the first of " + std::to_string(count) + " such edges)";
   return first_of_them;
 }

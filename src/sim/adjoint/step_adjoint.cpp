@@ -10,6 +10,7 @@
 
 #include "sim/forces/forces.h"
 #include "sim/forces/kick.h"
+#include "sim/forces/sweep_runs.h"
 #include "sim/methods/rows.h"
 #include "sim/model/portable_math.h"
 
@@ -21,14 +22,15 @@ void set_sum(double s, const Field& a, double t, const Field& b, Field& y) {
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = s * a[i] + t * b[i];
 }
 
-// Sweeps over the dashpots take every other spring of a row first, then those between (dashpot.cpp).
+// In the order of a sweep over the dashpots.
 std::vector<Link> links_of(const Plan& plan) {
   std::vector<Link> links;
-  for (const SpringRun& run : plan.spring.runs) {
-    const bool is_row = run.second - run.first == 1 && run.count > 1;
-    for (Index begin = 0; begin < (is_row ? 2 : 1); ++begin)
-      for (Index e = begin; e < run.count; e += is_row ? 2 : 1) links.push_back({run.first + e, run.second + e, run.begin + e});
-  }
+  for (const SpringRun& run : plan.spring.runs)
+    for (Index p = 0; p < count_sweep_parts(run); ++p)
+      for (Index n = 0; n < sweep_part(run, p).count; ++n) {
+        const SweepRun part = sweep_part(run, p);
+        links.push_back({part.first + n * part.step, part.second + n * part.step, part.begin + n * part.step});
+      }
   return links;
 }
 

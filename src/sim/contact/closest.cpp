@@ -13,57 +13,44 @@
 
 #include <hwy/highway.h>
 
+#include "sim/forces/lane_vectors-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Lanes = hn::ScalableTag<double>;
-using V = hn::Vec<Lanes>;
-using M = hn::Mask<Lanes>;
-
-HWY_INLINE V number(double value) { return hn::Set(Lanes(), value); }
-HWY_INLINE V choose(M is_first, V first, V second) { return hn::IfThenElse(is_first, first, second); }
-
-struct V3 {
-  V x, y, z;
-};
-HWY_INLINE V3 minus(const V3& a, const V3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-HWY_INLINE V dot(const V3& a, const V3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-HWY_INLINE V from_0_to_1(V value) {
-  const V zero = number(0.0), one = number(1.0);
+HWY_INLINE Lane choose(LaneMask mask, Lane yes, Lane no) { return hn::IfThenElse(mask, yes, no); }
+HWY_INLINE Lane from_0_to_1(Lane value) {
+  const Lane zero = same(0.0), one = same(1.0);
   return choose(hn::Lt(value, zero), zero, choose(hn::Lt(one, value), one, value));
 }
 
 struct ClosestLanes {
-  V weight[4];
-  V3 separation;
-  V distance;
-  M is_at_end;
+  Lane weight[4];
+  LaneVec3 separation;
+  Lane distance;
+  LaneMask is_at_end;
 };
 
-HWY_INLINE void finish(const V3* x, ClosestLanes& closest) {
-  const V* w = closest.weight;
-  closest.separation = {w[0] * x[0].x + w[1] * x[1].x + w[2] * x[2].x + w[3] * x[3].x,
-                        w[0] * x[0].y + w[1] * x[1].y + w[2] * x[2].y + w[3] * x[3].y,
-                        w[0] * x[0].z + w[1] * x[1].z + w[2] * x[2].z + w[3] * x[3].z};
+HWY_INLINE void finish(const LaneVec3* x, ClosestLanes& closest) {
+  const Lane* w = closest.weight;
+  closest.separation = plus(plus(plus(times(w[0], x[0]), times(w[1], x[1])), times(w[2], x[2])), times(w[3], x[3]));
   closest.distance = hn::Sqrt(dot(closest.separation, closest.separation));
 }
 
-HWY_INLINE void select(M is_second, const ClosestLanes& second, ClosestLanes& closest) {
+HWY_INLINE void select(LaneMask is_second, const ClosestLanes& second, ClosestLanes& closest) {
   for (int c = 0; c < 4; ++c) closest.weight[c] = choose(is_second, second.weight[c], closest.weight[c]);
-  closest.separation = {choose(is_second, second.separation.x, closest.separation.x),
-                        choose(is_second, second.separation.y, closest.separation.y),
-                        choose(is_second, second.separation.z, closest.separation.z)};
+  closest.separation = choose(is_second, second.separation, closest.separation);
   closest.distance = choose(is_second, second.distance, closest.distance);
 }
 
 // Of the point 0 and the side from A to B.
 template <int A, int B>
-HWY_INLINE ClosestLanes closest_on_side(const V3* x) {
-  const V zero = number(0.0), one = number(1.0);
-  const V3 side = minus(x[B], x[A]);
-  const V square = dot(side, side);
-  const V t = choose(hn::Lt(zero, square), from_0_to_1(dot(minus(x[0], x[A]), side) / square), zero);
+HWY_INLINE ClosestLanes closest_on_side(const LaneVec3* x) {
+  const Lane zero = same(0.0), one = same(1.0);
+  const LaneVec3 side = minus(x[B], x[A]);
+  const Lane square = dot(side, side);
+  const Lane t = choose(hn::Lt(zero, square), from_0_to_1(dot(minus(x[0], x[A]), side) / square), zero);
   ClosestLanes closest{{one, zero, zero, zero}, {}, zero, hn::Lt(zero, zero)};
   closest.weight[A] = zero - (one - t);
   closest.weight[B] = zero - t;
@@ -71,13 +58,13 @@ HWY_INLINE ClosestLanes closest_on_side(const V3* x) {
   return closest;
 }
 
-HWY_INLINE ClosestLanes closest_point_face(const V3* x) {
-  const V zero = number(0.0), one = number(1.0);
-  const V3 ab = minus(x[2], x[1]), ac = minus(x[3], x[1]), ap = minus(x[0], x[1]);
-  const V d1 = dot(ab, ap), d2 = dot(ac, ap), bb = dot(ab, ab), bc = dot(ab, ac), cc = dot(ac, ac);
-  const V denominator = bb * cc - bc * bc, v = cc * d1 - bc * d2, w = bb * d2 - bc * d1;
+HWY_INLINE ClosestLanes closest_point_face(const LaneVec3* x) {
+  const Lane zero = same(0.0), one = same(1.0);
+  const LaneVec3 ab = minus(x[2], x[1]), ac = minus(x[3], x[1]), ap = minus(x[0], x[1]);
+  const Lane d1 = dot(ab, ap), d2 = dot(ac, ap), bb = dot(ab, ab), bc = dot(ab, ac), cc = dot(ac, ac);
+  const Lane denominator = bb * cc - bc * bc, v = cc * d1 - bc * d2, w = bb * d2 - bc * d1;
   const auto is_inside = hn::And(hn::And(hn::Lt(zero, v), hn::Lt(zero, w)), hn::Lt(v + w, denominator));
-  const V b1 = v / denominator, b2 = w / denominator;
+  const Lane b1 = v / denominator, b2 = w / denominator;
   ClosestLanes inside{{one, zero - (one - b1 - b2), zero - b1, zero - b2}, {}, zero, hn::Lt(zero, zero)};
   finish(x, inside);
   if (hn::AllTrue(Lanes(), is_inside)) return inside;
@@ -90,19 +77,19 @@ HWY_INLINE ClosestLanes closest_point_face(const V3* x) {
   return closest;
 }
 
-HWY_INLINE ClosestLanes closest_edges(const V3* x) {
-  const V zero = number(0.0), one = number(1.0);
-  const V3 first = minus(x[1], x[0]), second = minus(x[3], x[2]), r = minus(x[0], x[2]);
-  const V a = dot(first, first), b = dot(first, second), e = dot(second, second), c = dot(first, r), f = dot(second, r);
-  const V denominator = a * e - b * b;
-  V s = choose(hn::Lt(zero, denominator), from_0_to_1((b * f - c * e) / denominator), zero);
-  V t = choose(hn::Lt(zero, e), (b * s + f) / e, zero);
+HWY_INLINE ClosestLanes closest_edges(const LaneVec3* x) {
+  const Lane zero = same(0.0), one = same(1.0);
+  const LaneVec3 first = minus(x[1], x[0]), second = minus(x[3], x[2]), r = minus(x[0], x[2]);
+  const Lane a = dot(first, first), b = dot(first, second), e = dot(second, second), c = dot(first, r), f = dot(second, r);
+  const Lane denominator = a * e - b * b;
+  Lane s = choose(hn::Lt(zero, denominator), from_0_to_1((b * f - c * e) / denominator), zero);
+  Lane t = choose(hn::Lt(zero, e), (b * s + f) / e, zero);
   const auto is_beyond = hn::Or(hn::Lt(t, zero), hn::Lt(one, t));
-  const V end = from_0_to_1(t);
+  const Lane end = from_0_to_1(t);
   s = choose(is_beyond, choose(hn::Lt(zero, a), from_0_to_1((b * end - c) / a), zero), s);
   t = choose(is_beyond, end, t);
   const auto is_inside = hn::And(hn::And(hn::Lt(zero, s), hn::Lt(s, one)), hn::And(hn::Lt(zero, t), hn::Lt(t, one)));
-  ClosestLanes closest{{one - s, s, zero - (one - t), zero - t}, {}, zero, hn::Lt(choose(is_inside, zero, number(-1.0)), zero)};
+  ClosestLanes closest{{one - s, s, zero - (one - t), zero - t}, {}, zero, hn::Lt(choose(is_inside, zero, same(-1.0)), zero)};
   finish(x, closest);
   return closest;
 }
@@ -123,9 +110,9 @@ struct Gathered {
       }
     }
   }
-  HWY_INLINE V3 at(int i, int p) const {
-    V3 at;
-    V unused;
+  HWY_INLINE LaneVec3 at(int i, int p) const {
+    LaneVec3 at;
+    Lane unused;
     hn::LoadInterleaved4(Lanes(), value[i][p], at.x, at.y, at.z, unused);
     return at;
   }
@@ -142,14 +129,14 @@ void closest_of_block(FeaturePair kind, std::span<const Vec3> field, FeatureBloc
   Gathered gathered;
   gathered.gather(field, block, end);
   for (int p = 0; p < end; p += static_cast<int>(hn::Lanes(d))) {
-    const V3 x[4] = {gathered.at(0, p), gathered.at(1, p), gathered.at(2, p), gathered.at(3, p)};
+    const LaneVec3 x[4] = {gathered.at(0, p), gathered.at(1, p), gathered.at(2, p), gathered.at(3, p)};
     const ClosestLanes closest = kind == FeaturePair::PointFace ? closest_point_face(x) : closest_edges(x);
     for (int c = 0; c < 4; ++c) hn::Store(closest.weight[c], d, block.weight[c] + p);
     hn::Store(closest.separation.x, d, block.separation[0] + p);
     hn::Store(closest.separation.y, d, block.separation[1] + p);
     hn::Store(closest.separation.z, d, block.separation[2] + p);
     hn::Store(closest.distance, d, block.distance + p);
-    hn::Store(choose(closest.is_at_end, number(1.0), number(0.0)), d, block.is_at_end + p);
+    hn::Store(choose(closest.is_at_end, same(1.0), same(0.0)), d, block.is_at_end + p);
   }
 }
 

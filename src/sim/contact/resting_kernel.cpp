@@ -14,28 +14,13 @@
 
 #include <hwy/highway.h>
 
+#include "sim/forces/lane_vectors-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using PointLanes = hn::ScalableTag<double>;
-using Lane = hn::Vec<PointLanes>;
-using LaneMask = hn::Mask<PointLanes>;
-
-HWY_INLINE Lane same(double number) { return hn::Set(PointLanes(), number); }
-
-struct LaneVec3 {
-  Lane x, y, z;
-};
-HWY_INLINE LaneVec3 same(const Vec3& a) { return {same(a.x), same(a.y), same(a.z)}; }
-HWY_INLINE LaneVec3 plus(const LaneVec3& a, const LaneVec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-HWY_INLINE LaneVec3 minus(const LaneVec3& a, const LaneVec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-HWY_INLINE LaneVec3 times(Lane s, const LaneVec3& a) { return {s * a.x, s * a.y, s * a.z}; }
-HWY_INLINE Lane dot(const LaneVec3& a, const LaneVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 HWY_INLINE Lane length(const LaneVec3& a) { return hn::Sqrt(dot(a, a)); }
-HWY_INLINE LaneVec3 choose(LaneMask mask, const LaneVec3& yes, const LaneVec3& no) {
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
-}
 HWY_INLINE LaneVec3 across(const LaneVec3& normal, const LaneVec3& w) { return minus(w, times(dot(w, normal), normal)); }
 // As contact_tolerance.
 HWY_INLINE Lane tolerance_at(const LaneVec3& x) { return same(1e-13) * (same(1.0) + hn::Abs(x.x) + hn::Abs(x.y) + hn::Abs(x.z)); }
@@ -125,10 +110,10 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, double lag, doub
   const Lane round_off = same(1e-12) * size_of(change);
 
   // on the surface, moving neither into it nor away from it, and pressing on it
-  Corrected end{path.x0, none, path.v0, none, {}, hn::FirstN(PointLanes(), 0)};
+  Corrected end{path.x0, none, path.v0, none, {}, hn::FirstN(Lanes(), 0)};
   end.is_solved = hn::And(hn::Le(hn::Abs(gap.distance), tolerance_at(path.x0)),
                           hn::Le(hn::Abs(dot(path.v0, gap.normal)), round_off + same(1e-12) * size_of(path.v0) + same(unknown_speed)));
-  if (hn::AllFalse(PointLanes(), end.is_solved)) return end;
+  if (hn::AllFalse(Lanes(), end.is_solved)) return end;
   if (friction == 0.0) {
     const LaneVec3 mean = times(same(0.5), plus(path.v0, path.v1));
     end.extra = across(gap.normal, minus(times(same(1.0 / h), minus(path.x1, path.x0)), mean));
@@ -141,7 +126,7 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, double lag, doub
   // stop no more than its impulse across the force
   const LaneVec3 drive = across(gap.normal, change);
   const Lane one = same(1.0), loss = same(friction) * load * time, square = dot(end.start, end.start), bound = loss + round_off;
-  if (hn::AllTrue(PointLanes(), hn::Or(hn::Not(end.is_solved), hn::And(hn::Eq(square, zero), hn::Le(dot(drive, drive), bound * bound)))))
+  if (hn::AllTrue(Lanes(), hn::Or(hn::Not(end.is_solved), hn::And(hn::Eq(square, zero), hn::Le(dot(drive, drive), bound * bound)))))
     return end;  // all of them are at rest
   const Lane along = dot(drive, end.start), slowing = loss * hn::Sqrt(square) - along, drive_square = dot(drive, drive);
   const LaneMask can_stop = hn::Le(square * drive_square - along * along, loss * loss * drive_square);
@@ -179,7 +164,7 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, double lag, doub
 // The first `count` lanes, others 0; a whole vector, if there is no limit.
 constexpr std::size_t whole = ~std::size_t{0};
 HWY_INLINE Lane load(const double* from, std::size_t count) {
-  const PointLanes d;
+  const Lanes d;
   if (count == whole) return hn::LoadU(d, from);
   HWY_ALIGN double values[8] = {};
   std::copy_n(from, count, values);
@@ -193,13 +178,13 @@ HWY_INLINE LaneVec3 load_point(const Plan& plan, const double* field, std::size_
 // One per lane, from the lowest bit up.
 HWY_INLINE unsigned bits_of(LaneMask mask) {
   std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(PointLanes(), mask, bits);
+  hn::StoreMaskBits(Lanes(), mask, bits);
   return bits[0];
 }
 
 // The first `count` lanes: what is behind them may belong to another thread, or to nobody.
 HWY_INLINE void store(Lane value, LaneMask mask, std::size_t count, double* to) {
-  const PointLanes d;
+  const Lanes d;
   if (count == whole) return hn::BlendedStore(value, mask, d, to);
   HWY_ALIGN double values[8];
   hn::Store(value, d, values);
@@ -227,7 +212,7 @@ struct Block {
 // The points from i on that are `alone` on the obstacle. Returns those that were solved.
 HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const Path& path, Lane radius, LaneMask alone, std::size_t i,
                              std::size_t count, RestingPoints& points, std::size_t at) {
-  const PointLanes d;
+  const Lanes d;
   const Collider& collider = *obstacle.collider;
   const double h = block.h, lag = collider.friction > 0.0 ? block.lag : 0.0;
   // the velocity of what moves is known up to the rounding of the time
@@ -262,7 +247,7 @@ HWY_INLINE LaneMask solve_on(const Block& block, const Obstacle& obstacle, const
 
 // The points from i on, one per lane.
 HWY_INLINE void solve_points(const Block& block, std::size_t i, std::size_t count, RestingPoints& points, std::size_t at) {
-  const PointLanes d;
+  const Lanes d;
   const std::size_t lanes = std::min(count, hn::Lanes(d));
   const Path path{load_point(block.plan, block.x0, i, count), load_point(block.plan, block.v0, i, count),
                   load_point(block.plan, block.x, i, count), load_point(block.plan, block.v, i, count)};
@@ -309,7 +294,7 @@ HWY_INLINE void solve_points(const Block& block, std::size_t i, std::size_t coun
 
 void solve_resting(const Plan& plan, std::span<const Obstacle> obstacles, double h, double lag, const char* left_out, std::size_t first,
                    std::size_t end, const double* x0, const double* v0, double* x, double* v, RestingPoints& points) {
-  const std::size_t lanes = hn::Lanes(PointLanes());
+  const std::size_t lanes = hn::Lanes(Lanes());
   const Block block{plan, obstacles, h, lag, left_out, x0, v0, x, v};
   points.any_solved = points.any_open = false;
   std::size_t i = first;

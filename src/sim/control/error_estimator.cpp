@@ -36,13 +36,9 @@ bool have_laws_switched(const Plan& plan, const State& start, const State& end) 
 }
 
 bool has_any_flipped(const Plan& plan, const State& start, const State& end, int substeps) {
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Index i = run.first + e, j = run.second + e;
-      if (!carries_force(plan, run.begin + e)) continue;
-      if (has_flipped(start.position[j] - start.position[i], end.position[j] - end.position[i], substeps)) return true;
-    }
-  return false;
+  return any_spring(plan, [&](Index i, Index j, Index s) {
+    return carries_force(plan, s) && has_flipped(start.position[j] - start.position[i], end.position[j] - end.position[i], substeps);
+  });
 }
 
 }  // namespace
@@ -79,15 +75,13 @@ FrameEnd& FrameRuns::add() {
 }
 
 bool FrameRuns::have_contacts() const {
-  const auto has_contact = [](const FrameEnd& end) { return end.has_touched || !end.broken.empty(); };
-  return has_contact(ends_[0]) || (count_ > 1 && has_contact(ends_[1]));
+  return std::ranges::any_of(last_two(), [](const FrameEnd& end) { return end.has_touched || !end.broken.empty(); });
 }
 
-bool FrameRuns::have_events() const { return have_contacts() || ends_[0].has_flipped || (count_ > 1 && ends_[1].has_flipped); }
+bool FrameRuns::have_events() const { return have_contacts() || std::ranges::any_of(last_two(), &FrameEnd::has_flipped); }
 
 bool FrameRuns::have_jumps() const {
-  const auto has_jump = [](const FrameEnd& end) { return end.has_impact || end.has_flipped || !end.broken.empty(); };
-  return has_jump(ends_[0]) || (count_ > 1 && has_jump(ends_[1]));
+  return std::ranges::any_of(last_two(), [](const FrameEnd& end) { return end.has_impact || end.has_flipped || !end.broken.empty(); });
 }
 
 bool FrameRuns::are_enough(const System& system, const Integrator& method, double share) const {
@@ -121,30 +115,22 @@ bool is_calm(const Plan& plan, const State& state, double duration) {
   const bool has_events = plan.has_contact() || !plan.spring.break_length.empty() || !plan.spring.max_length.empty() || plan.hand.held ||
                           plan.hand.pull || plan.collider_paths.grabbed || !plan.forces.empty() || !plan.spring.laws.empty();
   if (has_events) return false;
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Index first = run.first + e, second = run.second + e;
-      const double length = glm::distance(state.position[first], state.position[second]);
-      const double speed = glm::distance(state.velocity[first], state.velocity[second]);
-      if (!(speed * duration <= control::max_turn * length)) return false;
-    }
-  return true;
+  return !any_spring(plan, [&](Index i, Index j, Index) {
+    const double length = glm::distance(state.position[i], state.position[j]), speed = glm::distance(state.velocity[i], state.velocity[j]);
+    return !(speed * duration <= control::max_turn * length);
+  });
 }
 
 // m v^2 / 2 + U(l) >= U((l0 + L) / 2), m the reduced mass of both ends, U of a linear spring k (l - l0)^2 / 2
 bool may_break(const Plan& plan, const State& state) {
-  if (plan.spring.break_length.empty()) return false;
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Index s = run.begin + e, i = run.first + e, j = run.second + e;
-      const double limit = plan.spring.break_length[s], w = plan.inverse_mass[i] + plan.inverse_mass[j];
-      if (!std::isfinite(limit) || w == 0.0 || !carries_force(plan, s)) continue;
-      const auto energy_at = [&](double length) { return response_of(plan, s, state.time, length).of.energy; };
-      const Vec3 relative = state.velocity[i] - state.velocity[j];
-      const double supplied = 0.5 * glm::dot(relative, relative) / w + energy_at(glm::distance(state.position[i], state.position[j]));
-      if (supplied >= energy_at(0.5 * (plan.spring.rest_length[s] + limit))) return true;
-    }
-  return false;
+  return !plan.spring.break_length.empty() && any_spring(plan, [&](Index i, Index j, Index s) {
+    const double limit = plan.spring.break_length[s], w = plan.inverse_mass[i] + plan.inverse_mass[j];
+    if (!std::isfinite(limit) || w == 0.0 || !carries_force(plan, s)) return false;
+    const auto energy_at = [&](double length) { return response_of(plan, s, state.time, length).of.energy; };
+    const Vec3 relative = state.velocity[i] - state.velocity[j];
+    const double supplied = 0.5 * glm::dot(relative, relative) / w + energy_at(glm::distance(state.position[i], state.position[j]));
+    return supplied >= energy_at(0.5 * (plan.spring.rest_length[s] + limit));
+  });
 }
 
 }  // namespace hooke

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "sim/methods/integrator.h"
@@ -62,6 +63,8 @@ class FrameRuns {
   double velocity_error(const System& system) const;
 
  private:
+  std::span<const FrameEnd> last_two() const { return std::span(ends_).first(count_ > 1 ? 2 : 1); }
+
   std::array<FrameEnd, 3> ends_;  // the finest first
   int count_ = 0;
   double frequency_ = 0.0;  // [rad/s]

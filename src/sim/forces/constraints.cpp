@@ -28,24 +28,10 @@ HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What the springs of a run read and write, from the first ends on. A copy that vectors cannot be stored to, so that it stays in registers.
 template <int Dimensions>
-struct ConstraintRun {
-  const double *x[Dimensions], *inverse_mass, *rest_length, *stiffness, *damping;
-  double* v[Dimensions];
+struct ConstraintRun : PointsOfRun<Dimensions> {
+  const double *rest_length, *stiffness, *damping;
   double h;
-  HWY_INLINE ConstraintRun(const ConstraintArguments& all, Index first)
-      : inverse_mass(all.plan.inverse_mass.data() + first),
-        rest_length(all.rest_length),
-        stiffness(all.stiffness),
-        damping(all.damping),
-        h(all.h) {
-    for (int c = 0; c < Dimensions; ++c) {
-      const std::size_t at = static_cast<std::size_t>(c) * static_cast<std::size_t>(all.plan.points) + static_cast<std::size_t>(first);
-      x[c] = all.x + at;
-      v[c] = all.v + at;
-    }
-  }
 };
 
 template <int Dimensions, bool Damped, class Springs>
@@ -66,19 +52,14 @@ HWY_INLINE void project_independent(const ConstraintRun<Dimensions>& run, const 
   if constexpr (Damped) tension = hn::Add(tension, hn::Div(hn::Mul(springs.load(run.damping), dot<Dimensions>(along, w)), length));
   const auto is_zero = hn::Eq(length_squared, hn::Zero(d));
   const V impulse = hn::IfThenZeroElse(is_zero, hn::Div(tension, length));
-
-  V inverse_mass1, inverse_mass2;
-  springs.load_ends(run.inverse_mass, inverse_mass1, inverse_mass2);
-  const V p1 = hn::Mul(inverse_mass1, impulse), p2 = hn::Mul(inverse_mass2, impulse);
-  for (int c = 0; c < Dimensions; ++c)
-    springs.store_ends(hn::Sub(v1[c], hn::Mul(p1, along[c])), hn::Add(v2[c], hn::Mul(p2, along[c])), run.v[c]);
+  apply_impulses(run, springs, impulse, along, v1, v2);
 }
 
 template <int Dimensions, bool Damped>
 void project_runs(const ConstraintArguments& all) {
   for (const SweepRun& each : all.runs) {
     const SweepRun run = each;
-    const ConstraintRun<Dimensions> lists(all, run.first);
+    const ConstraintRun<Dimensions> lists{{all.plan, run, all.x, all.v}, all.rest_length, all.stiffness, all.damping, all.h};
     for_springs(run, [lists](const auto& springs) HWY_ATTR { project_independent<Dimensions, Damped>(lists, springs); });
   }
 }

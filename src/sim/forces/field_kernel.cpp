@@ -12,15 +12,21 @@ HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// y[i] = change(d, y[i], x[i]), in vectors of tag d and one by one at the end
-template <class Change>
-HWY_INLINE void for_all(double* HWY_RESTRICT y, const double* HWY_RESTRICT x, std::size_t size, Change change) {
+// use(d, i) for the elements from i on, in vectors of tag d and one by one at the end
+template <class Use>
+HWY_INLINE void for_elements(std::size_t size, const Use& use) {
   const hn::ScalableTag<double> wide;
   const hn::CappedTag<double, 1> single;
   const std::size_t lanes = hn::Lanes(wide);
   std::size_t i = 0;
-  for (; i + lanes <= size; i += lanes) hn::StoreU(change(wide, hn::LoadU(wide, y + i), hn::LoadU(wide, x + i)), wide, y + i);
-  for (; i < size; ++i) hn::StoreU(change(single, hn::LoadU(single, y + i), hn::LoadU(single, x + i)), single, y + i);
+  for (; i + lanes <= size; i += lanes) use(wide, i);
+  for (; i < size; ++i) use(single, i);
+}
+
+// y[i] = change(d, y[i], x[i])
+template <class Change>
+HWY_INLINE void for_all(double* HWY_RESTRICT y, const double* HWY_RESTRICT x, std::size_t size, const Change& change) {
+  for_elements(size, [&](auto d, std::size_t i) HWY_ATTR { hn::StoreU(change(d, hn::LoadU(d, y + i), hn::LoadU(d, x + i)), d, y + i); });
 }
 
 void add_scaled(double* y, double s, const double* x, std::size_t size) {
@@ -38,17 +44,6 @@ void multiply_each(double* y, const double* x, std::size_t size) {
 
 void set_scaled(double* y, double s, const double* x, std::size_t size) {
   for_all(y, x, size, [s](auto d, auto, auto term) HWY_ATTR { return hn::Mul(hn::Set(d, s), term); });
-}
-
-// use(d, i) for the elements from i on, in vectors of tag d and one by one at the end
-template <class Use>
-HWY_INLINE void for_elements(std::size_t size, const Use& use) {
-  const hn::ScalableTag<double> wide;
-  const hn::CappedTag<double, 1> single;
-  const std::size_t lanes = hn::Lanes(wide);
-  std::size_t i = 0;
-  for (; i + lanes <= size; i += lanes) use(wide, i);
-  for (; i < size; ++i) use(single, i);
 }
 
 // Four vectors at once: scales and addresses of the terms are read once for them, and their sums do not wait for each other.

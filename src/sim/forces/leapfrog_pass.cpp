@@ -64,6 +64,11 @@ void accelerate_kick_and_drift(const Plan& plan, double time, Motion& motion, do
   advance(plan, pass, 1);
 }
 
+void start_kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift) {
+  if (motion.acceleration_is_current) return kick_and_drift(plan, motion, kick, drift);
+  accelerate_kick_and_drift(plan, motion.time, motion, kick, drift);
+}
+
 void repeat_kick_and_drift(const Plan& plan, Motion& motion, double h, int steps, const PassVelocities& velocities) {
   LeapfrogPass<double> pass = pass_of(plan, motion, h, h, velocities);
   motion.acceleration_is_current = false;

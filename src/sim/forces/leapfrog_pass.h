@@ -22,6 +22,9 @@ void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift,
 void accelerate_kick_and_drift(const Plan& plan, double time, Motion& motion, double kick, double drift,
                                const PassVelocities& velocities = {});
 
+// One of the two, for the first kick of a step that begins at motion.time: motion.a may be that of the last kick of the step before.
+void start_kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift);
+
 // `steps` times the same in a scene without listed forces and hand, with kicks and drifts by h [s] each; adds to motion.time and to the
 // force evaluations; motion.a is not set. In single precision if the plan is computed in it.
 void repeat_kick_and_drift(const Plan& plan, Motion& motion, double h, int steps, const PassVelocities& velocities = {});

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include "sim/forces/sweep_runs.h"
+#include "sim/plan/plan.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
@@ -140,6 +141,31 @@ HWY_INLINE V dot(const V* a, const V* b) {
   V sum = hn::Mul(a[0], b[0]);
   for (int c = 1; c < Dimensions; ++c) sum = hn::Add(sum, hn::Mul(a[c], b[c]));
   return sum;
+}
+
+// What the springs of a run read and write, from their first ends on. A copy that vectors cannot be stored to stays in registers.
+template <int Dimensions>
+struct PointsOfRun {
+  const double *x[Dimensions], *inverse_mass;
+  double* v[Dimensions];
+  HWY_INLINE PointsOfRun(const Plan& plan, const SweepRun& run, const double* positions, double* velocities)
+      : inverse_mass(plan.inverse_mass.data() + run.first) {
+    for (int c = 0; c < Dimensions; ++c) {
+      const std::size_t at = static_cast<std::size_t>(c) * static_cast<std::size_t>(plan.points) + static_cast<std::size_t>(run.first);
+      x[c] = positions + at;
+      v[c] = velocities + at;
+    }
+  }
+};
+
+// v1' = v1 - p a / m1,  v2' = v2 + p a / m2
+template <int Dimensions, class Springs, class V>
+HWY_INLINE void apply_impulses(const PointsOfRun<Dimensions>& points, const Springs& springs, V p, const V* a, const V* v1, const V* v2) {
+  V inverse_mass1, inverse_mass2;
+  springs.load_ends(points.inverse_mass, inverse_mass1, inverse_mass2);
+  const V p1 = hn::Mul(inverse_mass1, p), p2 = hn::Mul(inverse_mass2, p);
+  for (int c = 0; c < Dimensions; ++c)
+    springs.store_ends(hn::Sub(v1[c], hn::Mul(p1, a[c])), hn::Add(v2[c], hn::Mul(p2, a[c])), points.v[c]);
 }
 
 }  // namespace hooke::HWY_NAMESPACE

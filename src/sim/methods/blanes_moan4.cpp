@@ -40,11 +40,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   const bool damped = plan.has_dashpots();
   if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.time, motion.x, motion.v);
 
-  // the last kick's acceleration is the next step's first
-  if (motion.acceleration_is_current)
-    kick_and_drift(plan, motion, kick_weight[0] * h, drift_weight[0] * h);
-  else
-    accelerate_kick_and_drift(plan, motion.time, motion, kick_weight[0] * h, drift_weight[0] * h);
+  start_kick_and_drift(plan, motion, kick_weight[0] * h, drift_weight[0] * h);
   double time = motion.time;
   Field& velocity = work.fields[0];
   for (int i = 0; i < drifts; ++i) {

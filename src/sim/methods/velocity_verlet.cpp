@@ -19,14 +19,6 @@ void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) 
   if (plan.has_dashpots()) work.dashpots.prepare(plan, 0.5 * h);
 }
 
-void kick_and_drift_alone(const Plan& plan, Motion& motion, double h) {
-  if (motion.acceleration_is_current)
-    kick_and_drift(plan, motion, 0.5 * h, h);
-  else
-    accelerate_kick_and_drift(plan, motion.time, motion, 0.5 * h, h);
-  accelerate_kick_and_drift(plan, motion.time + h, motion, 0.5 * h, 0.0);
-}
-
 // The forces that do not depend on velocity are those at the end of the step before.
 void kick_and_drift_with_velocity(const Plan& plan, Motion& motion, Workspace& work, double h) {
   Field &unlisted = work.fields[0], &predicted = work.fields[1];
@@ -47,10 +39,12 @@ void kick_and_drift_with_velocity(const Plan& plan, Motion& motion, Workspace& w
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   const bool damped = plan.has_dashpots();
   if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.time, motion.x, motion.v);
-  if (plan.force_data.depend_on_velocity)
+  if (plan.force_data.depend_on_velocity) {
     kick_and_drift_with_velocity(plan, motion, work, h);
-  else
-    kick_and_drift_alone(plan, motion, h);
+  } else {
+    start_kick_and_drift(plan, motion, 0.5 * h, h);
+    accelerate_kick_and_drift(plan, motion.time + h, motion, 0.5 * h, 0.0);
+  }
   motion.acceleration_is_current = true;
   if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, motion.time + h, motion.x, motion.v);
   motion.counts.dashpot_sweeps += damped ? 2 : 0;
@@ -62,10 +56,7 @@ void steps(const Plan& plan, Motion& motion, Workspace& work, double h, int coun
     for (int i = 0; i < count; ++i, motion.time += h) step(plan, motion, work, h);
     return;
   }
-  if (motion.acceleration_is_current)
-    kick_and_drift(plan, motion, 0.5 * h, h);
-  else
-    accelerate_kick_and_drift(plan, motion.time, motion, 0.5 * h, h);
+  start_kick_and_drift(plan, motion, 0.5 * h, h);
   motion.time += h;
   repeat_kick_and_drift(plan, motion, h, count - 1);
   accelerate_kick_and_drift(plan, motion.time, motion, 0.5 * h, 0.0);

@@ -10,13 +10,6 @@ FaceList::FaceList(const std::vector<Face>& faces) {
   for (const Face& face : faces) push_back(face);
 }
 
-FaceList::operator std::vector<Face>() const {
-  std::vector<Face> faces;
-  faces.reserve(size());
-  for (const Face& face : *this) faces.push_back(face);
-  return faces;
-}
-
 void FaceList::reserve(std::size_t capacity) {
   points_.reserve(capacity);
   rest_angles_.reserve(3 * capacity);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/lists/number_list.h"
-#include "base/lists/value_iterator.h"
+#include "base/lists/value_list.h"
 #include "base/types.h"
 
 namespace hooke {
@@ -25,25 +25,16 @@ using Panel = std::array<Id, 4>;
 
 // Reads like a vector of faces, but returns values instead of references. Two faces in succession (a, b, c) and (c, b, d) are the halves of
 // a quad: its mass, wind and pressure act in equal parts on its four corners, and do not depend on the diagonal.
-class FaceList {
+class FaceList : public ValueList<FaceList, Face> {
  public:
-  using value_type = Face;
-  using const_iterator = ValueIterator<FaceList>;
-  using iterator = const_iterator;
-
   FaceList() = default;
   FaceList(const std::vector<Face>& faces);  // implicit: wherever a plain list is at hand
-  operator std::vector<Face>() const;
+  operator std::vector<Face>() const { return {begin(), end()}; }
 
   std::size_t size() const { return points_.size(); }
-  bool empty() const { return points_.empty(); }
   Face operator[](std::size_t f) const {
     return {.points = points_[f], .rest_angle = {rest_angles_[3 * f], rest_angles_[3 * f + 1], rest_angles_[3 * f + 2]}};
   }
-  Face front() const { return (*this)[0]; }
-  Face back() const { return (*this)[size() - 1]; }
-  const_iterator begin() const { return {*this, 0}; }
-  const_iterator end() const { return {*this, size()}; }
 
   void reserve(std::size_t capacity);
   void clear() { *this = FaceList(); }

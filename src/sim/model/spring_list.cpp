@@ -9,13 +9,6 @@ SpringList::SpringList(const std::vector<Spring>& springs) {
   for (const Spring& spring : springs) push_back(spring);
 }
 
-SpringList::operator std::vector<Spring>() const {
-  std::vector<Spring> springs;
-  springs.reserve(size());
-  for (const Spring& spring : *this) springs.push_back(spring);
-  return springs;
-}
-
 void SpringList::reserve(std::size_t capacity) {
   if (!ids_.empty()) ids_.reserve(capacity);
   ends_.reserve(capacity);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/lists/number_list.h"
-#include "base/lists/value_iterator.h"
+#include "base/lists/value_list.h"
 #include "base/types.h"
 #include "sim/model/spring_law.h"
 
@@ -39,18 +39,13 @@ struct Spring {
 };
 
 // Reads like a vector of springs, but returns values instead of references.
-class SpringList {
+class SpringList : public ValueList<SpringList, Spring> {
  public:
-  using value_type = Spring;
-  using const_iterator = ValueIterator<SpringList>;
-  using iterator = const_iterator;
-
   SpringList() = default;
   SpringList(const std::vector<Spring>& springs);  // implicit: wherever a plain list is at hand
-  operator std::vector<Spring>() const;
+  operator std::vector<Spring>() const { return {begin(), end()}; }
 
   std::size_t size() const { return ends_.size(); }
-  bool empty() const { return ends_.empty(); }
   Spring operator[](std::size_t s) const {
     return {.id = ids_.empty() ? SpringId{static_cast<std::uint32_t>(s)} : ids_[s],
             .first = ends_[s][0],
@@ -62,10 +57,6 @@ class SpringList {
             .break_strain = break_strain_[s],
             .law = laws_.empty() ? std::nullopt : laws_[s]};
   }
-  Spring front() const { return (*this)[0]; }
-  Spring back() const { return (*this)[size() - 1]; }
-  const_iterator begin() const { return {*this, 0}; }
-  const_iterator end() const { return {*this, size()}; }
 
   void reserve(std::size_t capacity);
   void push_back(const Spring& spring);

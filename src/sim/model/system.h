@@ -59,6 +59,8 @@ struct Sphere {
 struct Box {
   Vec3 min{-1.0};
   Vec3 max{1.0};
+  // The bits 1, 2 and 4: on the side of the maximum along x, y and z.
+  Vec3 corner(int bits) const { return {bits & 1 ? max.x : min.x, bits & 2 ? max.y : min.y, bits & 4 ? max.z : min.z}; }
   bool operator==(const Box&) const = default;
 };
 

@@ -57,7 +57,7 @@ class ConnectedFaces {
  public:
   explicit ConnectedFaces(const System& system) : system_(system), lengths_(system) {
     for (const Face& face : system.faces) faces_.push_back(rest_face(system, lengths_, face));
-    edges_ = sorted_edges(corners_of(faces_));
+    edges_ = sorted_edges(system);
     is_flipped_.resize(faces_.size());
     connect();
   }
@@ -70,18 +70,8 @@ class ConnectedFaces {
   }
 
  private:
-  template <class Use>
-  void for_each_edge(const Use& use) const {
-    for (auto first = edges_.begin(); first != edges_.end();) {
-      const auto last = std::find_if(first, edges_.end(), [&](const FaceEdge& edge) { return edge.ends != first->ends; });
-      use(std::span(first, last));
-      first = last;
-    }
-  }
   // Whether the face, as oriented so far, runs along the edge from its second point to its first.
-  bool is_backward(const FaceEdge& edge) const {
-    return (faces_[edge.face].corners[(edge.corner + 1) % 3] != edge.ends[0]) != is_flipped_[edge.face];
-  }
+  bool is_backward(const FaceEdge& edge) const { return (edge.from != edge.ends[0]) != is_flipped_[edge.face]; }
 
   // Finds the surfaces, and turns their faces so that two that share an edge run along it in opposite directions.
   void connect() {
@@ -89,7 +79,7 @@ class ConnectedFaces {
     is_bad_.assign(faces_.size(), false);
     border_.assign(faces_.size(), {false, false, false});
     DisjointSets sets(faces_.size());
-    for_each_edge([&](std::span<const FaceEdge> same) {
+    for_each_edge(edges_, [&](std::span<const FaceEdge> same) {
       const FaceEdge &first = same.front(), &second = same.back();
       for (const FaceEdge& edge : same) sets.join(first.face, edge.face);
       if (same.size() == 1)
@@ -254,19 +244,12 @@ void find_edges(EnclosurePlan& plan, int dimensions) {
       side.edge[c] = static_cast<Index>(std::ranges::lower_bound(plan.edges, ends_of(side, c)) - plan.edges.begin());
 }
 
-// A point near the enclosure, from which positions are measured: far from the origin the sums would lose digits.
-struct Origin {
-  double c[3];
-};
-Origin origin_of(const Plan& plan, const Enclosure& enclosure, const double* x) {
-  Origin origin{};
-  const Index at = plan.force_data.enclosures.sides[enclosure.begin].points[0];
-  for (int c = 0; c < plan.dimensions; ++c) origin.c[c] = x[static_cast<std::size_t>(c) * plan.points + at];
-  return origin;
-}
-Vec3 relative_position(const Plan& plan, const double* x, Index i, const Origin& origin) {
-  const std::size_t n = plan.points, k = i;
-  return {x[k] - origin.c[0], x[n + k] - origin.c[1], x[2 * n + k] - origin.c[2]};
+// The positions of the corners, from one of the enclosure on: far from the origin the sums would lose digits.
+std::array<Vec3, 3> places_of(const Plan& plan, const Enclosure& enclosure, const EnclosureSide& side, const double* x) {
+  const Vec3 origin = vector_at(plan, x, plan.force_data.enclosures.sides[enclosure.begin].points[0]);
+  std::array<Vec3, 3> places{};
+  for (int c = 0; c < plan.dimensions; ++c) places[c] = vector_at(plan, x, side.points[c]) - origin;
+  return places;
 }
 
 }  // namespace
@@ -281,41 +264,26 @@ EnclosurePlan plan_enclosures(const System& system) {
 
 // V = sum x_a.(x_b x x_c) / 6 of faces, A = sum (x_i y_j - x_j y_i) / 2 of edges
 double signed_volume(const Plan& plan, const Enclosure& enclosure, const double* x) {
-  const std::size_t n = plan.points;
-  const Origin origin = origin_of(plan, enclosure, x);
+  const bool is_flat = plan.dimensions == 2;
   double sum = 0.0;
   for (Index s = enclosure.begin; s < enclosure.end; ++s) {
     const EnclosureSide& side = plan.force_data.enclosures.sides[s];
-    const auto& [a, b, c] = side.points;
-    if (plan.dimensions == 2)
-      sum += (x[a] - origin.c[0]) * (x[n + b] - origin.c[1]) - (x[b] - origin.c[0]) * (x[n + a] - origin.c[1]);
-    else
-      sum += side.weight * glm::dot(relative_position(plan, x, a, origin),
-                                    glm::cross(relative_position(plan, x, b, origin), relative_position(plan, x, c, origin)));
+    const auto [a, b, c] = places_of(plan, enclosure, side, x);
+    sum += is_flat ? glm::cross(a, b).z : side.weight * glm::dot(a, glm::cross(b, c));
   }
-  return sum / (plan.dimensions == 2 ? 2.0 : 6.0);
+  return sum / (is_flat ? 2.0 : 6.0);
 }
 
 void add_volume_gradient(const Plan& plan, const Enclosure& enclosure, double scale, const double* x, double* f) {
-  const std::size_t n = plan.points;
-  const Origin origin = origin_of(plan, enclosure, x);
   for (Index s = enclosure.begin; s < enclosure.end; ++s) {
     const EnclosureSide& side = plan.force_data.enclosures.sides[s];
-    const auto& points = side.points;
+    const std::array<Vec3, 3> p = places_of(plan, enclosure, side, x);
     if (plan.dimensions == 2) {
-      const std::size_t i = points[0], j = points[1];
-      f[i] += 0.5 * scale * (x[n + j] - origin.c[1]);
-      f[n + i] -= 0.5 * scale * (x[j] - origin.c[0]);
-      f[j] -= 0.5 * scale * (x[n + i] - origin.c[1]);
-      f[n + j] += 0.5 * scale * (x[i] - origin.c[0]);
+      add_vector(plan, f, side.points[0], 0.5 * scale * Vec3(p[1].y, -p[1].x, 0.0));
+      add_vector(plan, f, side.points[1], 0.5 * scale * Vec3(-p[0].y, p[0].x, 0.0));
       continue;
     }
-    std::array<Vec3, 3> p;
-    for (int a = 0; a < 3; ++a) p[a] = relative_position(plan, x, points[a], origin);
-    for (int a = 0; a < 3; ++a) {
-      const Vec3 normal = scale * side.weight / 6.0 * glm::cross(p[(a + 1) % 3], p[(a + 2) % 3]);
-      add_vector(plan, f, points[a], normal);
-    }
+    for (int a = 0; a < 3; ++a) add_vector(plan, f, side.points[a], scale * side.weight / 6.0 * glm::cross(p[(a + 1) % 3], p[(a + 2) % 3]));
   }
 }
 

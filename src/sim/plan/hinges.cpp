@@ -39,19 +39,13 @@ void set_coupling(const RestFace& face, HingedFace& hinged) {
 
 // Calls `use` for both sides of every edge of two faces.
 template <class Use>
-void for_each_hinge(std::span<const FaceCorners> faces, const Use& use) {
-  const std::vector<FaceEdge> sides = sorted_edges(faces);
-  for (std::size_t s = 0; s < sides.size();) {
-    std::size_t end = s + 1;
-    while (end < sides.size() && sides[end].ends == sides[s].ends) ++end;
-    const FaceEdge &first = sides[s], &second = sides[end - 1];
+void for_each_hinge(const System& system, const Use& use) {
+  for_each_edge(sorted_edges(system), [&](std::span<const FaceEdge> same) {
     // the same face twice has no other corner
-    if (end - s == 2 && faces[first.face][first.corner] != faces[second.face][second.corner]) {
-      use(first, second);
-      use(second, first);
-    }
-    s = end;
-  }
+    if (same.size() != 2 || same.front().opposite == same.back().opposite) return;
+    use(same.front(), same.back());
+    use(same.back(), same.front());
+  });
 }
 
 // K_ab of one face.
@@ -63,36 +57,22 @@ double face_stiffness(const HingedFace& face, int a, int b) {
 }
 
 void assemble_rows(HingePlan& plan, Index points) {
-  // where each point occurs
-  std::vector<Index> first(static_cast<std::size_t>(points) + 1, 0);
+  std::vector<std::vector<std::pair<Index, double>>> rows(static_cast<std::size_t>(points));
   const auto occurs = [](const HingedFace& face, int a) { return a < 3 || face.points[a] != face.points[a - 3]; };
   for (const HingedFace& face : plan.faces)
-    for (int a = 0; a < 6; ++a) first[face.points[a] + 1] += occurs(face, a) ? 1 : 0;
-  for (Index i = 0; i < points; ++i) first[i + 1] += first[i];
-  std::vector<std::pair<Index, int>> places(first.back());
-  std::vector<Index> next(first.begin(), first.end() - 1);
-  for (std::size_t f = 0; f < plan.faces.size(); ++f)
     for (int a = 0; a < 6; ++a)
-      if (occurs(plan.faces[f], a)) places[next[plan.faces[f].points[a]]++] = {static_cast<Index>(f), a};
+      for (int b = 0; b < 6; ++b)
+        if (occurs(face, a) && occurs(face, b)) rows[face.points[a]].emplace_back(face.points[b], face_stiffness(face, a, b));
 
   plan.begin.assign(1, 0);
-  std::vector<std::pair<Index, double>> row;
-  for (Index i = 0; i < points; ++i) {
-    row.clear();
-    for (Index at = first[i]; at < first[i + 1]; ++at) {
-      const auto& [f, a] = places[at];
-      const HingedFace& face = plan.faces[f];
-      for (int b = 0; b < 6; ++b) {
-        if (!occurs(face, b)) continue;
-        auto entry = std::ranges::find(row, face.points[b], &std::pair<Index, double>::first);
-        if (entry == row.end()) entry = row.insert(entry, {face.points[b], 0.0});
-        entry->second += face_stiffness(face, a, b);
-      }
-    }
-    std::ranges::sort(row);
+  for (auto& row : rows) {
+    std::ranges::stable_sort(row, {}, &std::pair<Index, double>::first);
     for (const auto& [column, value] : row) {
-      plan.column.push_back(column);
-      plan.value.push_back(value);
+      if (static_cast<Index>(plan.column.size()) == plan.begin.back() || plan.column.back() != column) {
+        plan.column.push_back(column);
+        plan.value.push_back(0.0);
+      }
+      plan.value.back() += value;
     }
     plan.begin.push_back(static_cast<Index>(plan.column.size()));
   }
@@ -115,17 +95,14 @@ double hinge_angle(const Vec3& i, const Vec3& j, const Vec3& k, const Vec3& q) {
 }
 
 void set_rest_angles(System& system, const std::vector<Vec3>& position) {
-  std::vector<FaceCorners> faces(system.faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int c = 0; c < 3; ++c) faces[f][c] = system.index_of(system.faces[f].points[c]);
   NumberList angles;
-  angles.reserve(3 * faces.size());
-  angles.resize(3 * faces.size(), 0.0);
+  angles.reserve(3 * system.faces.size());
+  angles.resize(3 * system.faces.size(), 0.0);
   if (system.dimensions == 3)
-    for_each_hinge(faces, [&](const FaceEdge& own, const FaceEdge& other) {
-      const auto corner = [&](int c) { return position[faces[own.face][(own.corner + c) % 3]]; };
+    for_each_hinge(system, [&](const FaceEdge& own, const FaceEdge& other) {
+      const auto corner = [&](int c) { return position[system.index_of(system.faces[own.face].points[(own.corner + c) % 3])]; };
       angles.set(3 * static_cast<std::size_t>(own.face) + static_cast<std::size_t>(own.corner),
-                 hinge_angle(corner(0), corner(1), corner(2), position[faces[other.face][other.corner]]));
+                 hinge_angle(corner(0), corner(1), corner(2), position[other.opposite]));
     });
   system.faces.set_rest_angles(std::move(angles));
 }
@@ -141,7 +118,7 @@ HingePlan plan_hinges(const System& system) {
   std::vector<HingedFace> hinged(rest.size());
   for (std::size_t f = 0; f < rest.size(); ++f)
     for (int a = 0; a < 6; ++a) hinged[f].points[a] = rest[f].corners[a % 3];
-  for_each_hinge(corners_of(rest), [&](const FaceEdge& own, const FaceEdge& other) {
+  for_each_hinge(system, [&](const FaceEdge& own, const FaceEdge& other) {
     if (rest[own.face].area > 0.0 && rest[other.face].area > 0.0) add_hinge(rest[own.face], own.corner, rest[other.face], hinged[own.face]);
   });
   for (std::size_t f = 0; f < rest.size(); ++f) {

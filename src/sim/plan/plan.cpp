@@ -169,20 +169,19 @@ void plan_laws(Plan& plan, const System& system) {
   laws = {.clock = system.muscles};
   if (!system.springs().have_laws() && plan.force_data.rollers.empty()) return;
   laws.of_packed.assign(plan.springs, no_index);
-  for (const SpringRun& run : plan.spring.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Spring spring = system.springs()[plan.spring.index[run.begin + e]];
-      if (!has_law(plan, system, spring)) continue;
-      laws.of_packed[run.begin + e] = static_cast<Index>(laws.springs.size());
-      laws.springs.push_back({.first = run.first + e,
-                              .second = run.second + e,
-                              .law = spring.law.value_or(SpringLaw{}),
-                              .stiffness = system.stiffness_of(spring),
-                              .damping = system.damping_of(spring),
-                              .rest_length = spring.rest_length});
-      laws.move = laws.move || (laws.springs.back().law.moves() && system.muscles.rate() != 0.0);
-      laws.resolving_step = std::min(laws.resolving_step, laws.springs.back().law.resolving_step(system.muscles.rate()));
-    }
+  for_each_spring(plan, [&](Index i, Index j, Index s) {
+    const Spring spring = system.springs()[plan.spring.index[s]];
+    if (!has_law(plan, system, spring)) return;
+    laws.of_packed[s] = static_cast<Index>(laws.springs.size());
+    laws.springs.push_back({.first = i,
+                            .second = j,
+                            .law = spring.law.value_or(SpringLaw{}),
+                            .stiffness = system.stiffness_of(spring),
+                            .damping = system.damping_of(spring),
+                            .rest_length = spring.rest_length});
+    laws.move = laws.move || (laws.springs.back().law.moves() && system.muscles.rate() != 0.0);
+    laws.resolving_step = std::min(laws.resolving_step, laws.springs.back().law.resolving_step(system.muscles.rate()));
+  });
   if (laws.springs.empty()) laws = {};
 }
 
@@ -237,6 +236,20 @@ void set_held_point(Plan& plan, const System& system, std::optional<Index> point
 }
 
 }  // namespace
+
+PairPlan plan_pairs(const System& system) {
+  const PairContact& contact = system.contact;
+  if (!contact.points) return {};
+  PairPlan plan{.on = true, .thickness = contact.thickness, .restitution = contact.restitution, .friction = contact.friction, .joined = {}};
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    const double touching = system.points()[i].radius + system.points()[j].radius + contact.thickness;
+    // placed at the distance at which they touch, up to rounding, is touching
+    if (spring.rest_length <= touching * (1.0 + 1e-9)) plan.joined.push_back(edge_ends(i, j));
+  }
+  std::ranges::sort(plan.joined);
+  return plan;
+}
 
 Plan make_plan(const System& system) {
   Plan plan;

@@ -2,6 +2,7 @@
 // springs join which points) is rebuilt on edits, its values are updated in place; neither happens inside a step.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -16,7 +17,6 @@
 #include "sim/plan/execution.h"
 #include "sim/plan/grid.h"
 #include "sim/plan/hinges.h"
-#include "sim/plan/pair_plan.h"
 #include "sim/plan/surface_plan.h"
 
 namespace hooke {
@@ -146,6 +146,17 @@ struct ColliderPaths {
   std::optional<GrabbedCollider> grabbed;
 };
 
+// Contact between points.
+struct PairPlan {
+  bool on = false;
+  double thickness = 0.0;                    // [m], added to the sum of two radii
+  double restitution = 0.0, friction = 0.0;  // [1]
+  // Points joined by a spring that would touch at its rest length, such as neighbors in a cloth: the lower index first, sorted. They do not
+  // touch.
+  std::vector<EdgeEnds> joined;
+  bool excludes(Index i, Index j) const { return std::ranges::binary_search(joined, edge_ends(i, j)); }
+};
+
 // What the listed forces need.
 struct ForceData {
   bool depend_on_velocity = false;   // whether any of them does
@@ -269,11 +280,21 @@ void for_each_spring(const Plan& plan, const Use& use) {
     for (Index e = 0; e < run.count; ++e) use(run.first + e, run.second + e, run.begin + e);
 }
 
+// Whether test(first point, second point, packed index) is true for any of them.
+template <class Test>
+bool any_spring(const Plan& plan, const Test& test) {
+  for (const SpringRun& run : plan.spring.runs)
+    for (Index e = 0; e < run.count; ++e)
+      if (test(run.first + e, run.second + e, run.begin + e)) return true;
+  return false;
+}
+
 // Loads, and the opposite of the sum of all other forces along the fixed axes of rollers (point_forces.cpp).
 extern const ForceTerm load_force, roller_force;
 
 // Compiles the structure and the values. O(springs log springs). Points keep their indices.
 Plan make_plan(const System& system);
+PairPlan plan_pairs(const System& system);
 
 // Updates values (masses, nails, stiffness, damping, rest lengths, forces, colliders) after edits that did not change the lists of points
 // and springs. The hand is set by prepare_hand.

@@ -33,18 +33,14 @@ RestFace rest_face(const System& system, const RestLengths& lengths, const Face&
   return rest;
 }
 
-std::vector<FaceCorners> corners_of(const std::vector<RestFace>& faces) {
-  std::vector<FaceCorners> corners;
-  corners.reserve(faces.size());
-  for (const RestFace& face : faces) corners.push_back(face.corners);
-  return corners;
-}
-
-std::vector<FaceEdge> sorted_edges(std::span<const FaceCorners> faces) {
+std::vector<FaceEdge> sorted_edges(const System& system) {
   std::vector<FaceEdge> edges;
-  edges.reserve(3 * faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int c = 0; c < 3; ++c) edges.push_back({edge_ends(faces[f][(c + 1) % 3], faces[f][(c + 2) % 3]), static_cast<Index>(f), c});
+  edges.reserve(3 * system.faces.size());
+  for (std::size_t f = 0; f < system.faces.size(); ++f)
+    for (int c = 0; c < 3; ++c) {
+      const auto point = [&, face = system.faces[f]](int next) { return system.index_of(face.points[(c + next) % 3]); };
+      edges.push_back({edge_ends(point(1), point(2)), static_cast<Index>(f), c, point(0), point(1)});
+    }
   std::ranges::sort(edges, {}, [](const FaceEdge& edge) { return std::tuple(edge.ends, edge.face, edge.corner); });
   return edges;
 }

@@ -18,15 +18,10 @@ struct SpectrumRows {
 SpectrumRows rows_of_springs(const System& system) {
   const std::vector<double> zeros(system.points().size(), 0.0);
   SpectrumRows rows{zeros, zeros};
-  double product = 1.0, inverse_root = 1.0;  // of the masses; those of most springs are the same as of the one before
   for (const Spring& spring : system.springs()) {
     const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
     const Point &first = system.points()[i], &second = system.points()[j];
-    if (const double masses = first.mass * second.mass; masses != product) {
-      product = masses;
-      inverse_root = 1.0 / std::sqrt(masses);
-    }
-    const double coupling = first.nailed || second.nailed ? 0.0 : inverse_root;
+    const double coupling = first.nailed || second.nailed ? 0.0 : 1.0 / std::sqrt(first.mass * second.mass);
     const double stiffness = system.stiffness_bound_of(spring), damping = system.damping_of(spring);
     for (const auto& [at, point] : {std::pair{i, &first}, std::pair{j, &second}}) {
       if (point->nailed) continue;

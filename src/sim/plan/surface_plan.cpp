@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "sim/model/rest_lengths.h"
 #include "sim/plan/constants.h"
@@ -19,9 +20,7 @@ class SurfacePlanner {
     find_pieces();
     plan_.on = !plan_.pieces.empty();
     if (!plan_.on) return;
-    find_corners();
-    find_edges();
-    find_owned();
+    find_own_parts();
     find_thickness();
     find_excluded();
   }
@@ -93,57 +92,29 @@ class SurfacePlanner {
     }
   }
 
-  void find_corners() {
+  // Each corner and edge belongs to the first piece that has it.
+  void find_own_parts() {
     std::vector<char> has_owner(plan_.points.size(), 0);
+    std::set<EdgeEnds> known;
     for (SurfacePiece& piece : plan_.pieces) {
       piece.first_corner = static_cast<Index>(plan_.corners.size());
-      for (const Index i : piece.points) {
-        if (has_owner[i]) continue;
-        has_owner[i] = 1;
-        plan_.corners.push_back(i);
-      }
-      piece.end_corner = static_cast<Index>(plan_.corners.size());
-    }
-  }
-
-  void find_edges() {
-    struct Side {
-      EdgeEnds ends;
-      Index piece;
-      auto operator<=>(const Side&) const = default;
-    };
-    std::vector<Side> sides;
-    for (std::size_t p = 0; p < plan_.pieces.size(); ++p) {
-      const SurfacePiece& piece = plan_.pieces[p];
-      for (int c = 0; c < (piece.is_face ? 3 : 1); ++c)
-        sides.push_back({edge_ends(piece.points[c], piece.points[(c + 1) % 3]), static_cast<Index>(p)});
-    }
-    std::ranges::sort(sides);
-    const auto same = std::unique(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.ends == b.ends; });
-    sides.erase(same, sides.end());
-    std::ranges::sort(sides, {}, [](const Side& side) { return std::pair{side.piece, side.ends}; });
-    std::size_t next = 0;
-    for (std::size_t p = 0; p < plan_.pieces.size(); ++p) {
-      plan_.pieces[p].first_edge = static_cast<Index>(next);
-      for (; next < sides.size() && sides[next].piece == static_cast<Index>(p); ++next) {
-        plan_.edges.push_back(sides[next].ends);
-        plan_.is_spring.push_back(plan_.pieces[p].is_face ? 0 : 1);
-      }
-      plan_.pieces[p].end_edge = static_cast<Index>(next);
-    }
-  }
-
-  void find_owned() {
-    for (SurfacePiece& piece : plan_.pieces) {
-      if (!piece.is_face) continue;
-      const auto has = [](const auto& list, Index first, Index end, const auto& value) {
-        return std::find(list.begin() + first, list.begin() + end, value) != list.begin() + end;
-      };
+      piece.first_edge = static_cast<Index>(plan_.edges.size());
       for (unsigned c = 0; c < 3; ++c) {
-        const Index i = piece.points[c], next = piece.points[(c + 1) % 3];
-        if (has(plan_.edges, piece.first_edge, piece.end_edge, edge_ends(i, next))) piece.owned |= static_cast<unsigned char>(1U << c);
-        if (has(plan_.corners, piece.first_corner, piece.end_corner, i)) piece.owned |= static_cast<unsigned char>(8U << c);
+        const Index i = piece.points[c];
+        if (has_owner[i] == 0) {
+          plan_.corners.push_back(i);
+          piece.owned |= static_cast<unsigned char>(piece.is_face ? 8U << c : 0U);
+        }
+        has_owner[i] = 1;
+        const EdgeEnds side = edge_ends(i, piece.points[(c + 1) % 3]);
+        if ((c > 0 && !piece.is_face) || !known.insert(side).second) continue;
+        plan_.edges.push_back(side);
+        piece.owned |= static_cast<unsigned char>(piece.is_face ? 1U << c : 0U);
       }
+      std::sort(plan_.edges.begin() + piece.first_edge, plan_.edges.end());
+      plan_.is_spring.resize(plan_.edges.size(), piece.is_face ? 0 : 1);
+      piece.end_corner = static_cast<Index>(plan_.corners.size());
+      piece.end_edge = static_cast<Index>(plan_.edges.size());
     }
   }
 

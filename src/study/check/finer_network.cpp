@@ -81,7 +81,7 @@ class NetworkRefinement {
       std::fill_n(grid_of_.begin() + grid.first, grid.points(), static_cast<int>(fine_.size()));
       for (const auto& springs : grid.spring)
         for (const Index s : springs)
-          if (s != no_index) is_in_grid_[static_cast<std::size_t>(s)] = true;
+          if (s != no_index) is_in_grid_[s] = true;
       fine_.emplace_back(grid);
     }
   }
@@ -94,8 +94,8 @@ class NetworkRefinement {
         const Index i = run.first + e - grid.first, j = run.second + e - grid.first;
         const bool holds_i = i >= 0 && i < grid.points(), holds_j = j >= 0 && j < grid.points();
         if (holds_i && holds_j && is_bend(grid, i, j)) continue;
-        if (holds_i) has_other[static_cast<std::size_t>(i)] = true;
-        if (holds_j) has_other[static_cast<std::size_t>(j)] = true;
+        if (holds_i) has_other[i] = true;
+        if (holds_j) has_other[j] = true;
       }
     return 4 * std::ranges::count(has_other, true) > grid.points();
   }
@@ -110,13 +110,13 @@ class NetworkRefinement {
   void place_points() {
     std::uint32_t next_id = system_.next_point_id();
     for (Index i = 0; i < system_.point_count();) {
-      const int in = grid_of_[static_cast<std::size_t>(i)];
+      const int in = grid_of_[i];
       if (in < 0) {
         append(system_.points()[i], state_.position[i], state_.velocity[i]);
         ++i;
         continue;
       }
-      Fine& fine = fine_[static_cast<std::size_t>(in)];
+      Fine& fine = fine_[in];
       const Grid& grid = *fine.grid;
       fine.first = static_cast<Index>(points_.size());
       for (Index r = 0; r < fine.rows; ++r)
@@ -193,7 +193,7 @@ class NetworkRefinement {
   }
   double mass_at(const Grid& grid, Index i) const { return system_.points()[grid.first + i].mass; }
   void add_mass(const Fine& fine, Index r, Index c, double mass) { points_[static_cast<std::size_t>(fine.at(r, c))].mass += mass; }
-  const Spring& spring(Index s) const { return original_springs_[static_cast<std::size_t>(s)]; }
+  const Spring& spring(Index s) const { return original_springs_[s]; }
 
   // The spring of a direction at a cell, or null.
   const Spring* at(const Grid& grid, Grid::Direction direction, Index r, Index c) const {
@@ -261,16 +261,16 @@ class NetworkRefinement {
   void add_bends() {
     std::vector<std::array<std::map<std::pair<Index, Index>, const Spring*>, 2>> bends(fine_.size());
     for (Index s = 0; s < system_.spring_count(); ++s) {
-      if (is_in_grid_[static_cast<std::size_t>(s)]) continue;
+      if (is_in_grid_[s]) continue;
       Index i = system_.index_of(spring(s).first), j = system_.index_of(spring(s).second);
       if (i > j) std::swap(i, j);
-      const int in = grid_of_[static_cast<std::size_t>(i)];
-      if (in < 0 || in != grid_of_[static_cast<std::size_t>(j)]) continue;
-      const Grid& grid = *fine_[static_cast<std::size_t>(in)].grid;
+      const int in = grid_of_[i];
+      if (in < 0 || in != grid_of_[j]) continue;
+      const Grid& grid = *fine_[in].grid;
       i -= grid.first, j -= grid.first;
       if (!is_bend(grid, i, j)) continue;
-      bends[static_cast<std::size_t>(in)][j == i + 2 ? 0 : 1][{i / grid.columns, i % grid.columns}] = &spring(s);
-      is_in_grid_[static_cast<std::size_t>(s)] = true;
+      bends[in][j == i + 2 ? 0 : 1][{i / grid.columns, i % grid.columns}] = &spring(s);
+      is_in_grid_[s] = true;
     }
     for (std::size_t in = 0; in < fine_.size(); ++in)
       for (const std::size_t down : {0, 1})
@@ -283,7 +283,7 @@ class NetworkRefinement {
 
   void add_other_springs() {
     for (Index s = 0; s < system_.spring_count(); ++s) {
-      if (is_in_grid_[static_cast<std::size_t>(s)]) continue;
+      if (is_in_grid_[s]) continue;
       Spring copy = spring(s);
       copy.id = SpringId{next_spring_id_++};
       springs_.push_back(copy);
@@ -292,8 +292,8 @@ class NetworkRefinement {
 
   void append(Index i, Index j, const Strength& strength, double length_ratio) {
     springs_.push_back({.id = SpringId{next_spring_id_++},
-                        .first = points_[static_cast<std::size_t>(i)].id,
-                        .second = points_[static_cast<std::size_t>(j)].id,
+                        .first = points_[i].id,
+                        .second = points_[j].id,
                         .family = strength.family,
                         .stiffness = strength.k,
                         .damping = strength.d,

@@ -108,17 +108,13 @@ std::string format_json(const ResultCheck& check) {
   out.number("size", check.size);
   out.integer("refined_sheets", check.sheets);
   out.integer("refined_ropes", check.ropes);
-  out.begin_list("quantities", Lines);
-  for (const CheckedQuantity& quantity : check.quantities) {
-    out.begin_object(Line);
+  out.objects("quantities", check.quantities, [&](const CheckedQuantity& quantity) {
     out.text("name", quantity.name);
     out.text("unit", quantity.unit);
     out.number("now", quantity.now);
     out.number("half_step", quantity.half_step);
     out.number("twice_the_resolution", quantity.finer);
-    out.end();
-  }
-  out.end();
+  });
   out.end();
   return out.written() + "\n";
 }

@@ -136,8 +136,7 @@ std::string format_json(std::span<const CaseResult> results) {
   using Layout = JsonWriter::Layout;
   JsonWriter json;
   json.begin_object(Layout::Lines);
-  json.begin_list("cases", Layout::Lines);
-  for (const auto& group : by_case(results)) {
+  json.list("cases", Layout::Lines, by_case(results), [&](const auto& group) {
     const HardCase& hard_case = *group[0].hard_case;
     json.begin_object(Layout::Lines);
     json.integer("number", hard_case.number);
@@ -145,9 +144,8 @@ std::string format_json(std::span<const CaseResult> results) {
     json.text("parameters", hard_case.parameters);
     json.text("criterion", hard_case.criterion);
     json.text("remark", hard_case.remark);
-    json.begin_list("results", Layout::Lines);
-    for (const CaseResult& result : group) {
-      if (!result.finished) continue;
+    json.list("results", Layout::Lines, group, [&](const CaseResult& result) {
+      if (!result.finished) return;
       json.begin_object(Layout::Line);
       json.text("method", result.method->id);
       json.text("outcome", underscored(describe(result.verdict.outcome)));
@@ -157,11 +155,9 @@ std::string format_json(std::span<const CaseResult> results) {
       json.text("reason", result.verdict.reason);
       json.number("cpu_seconds", result.cpu_seconds);
       json.end();
-    }
+    });
     json.end();
-    json.end();
-  }
-  json.end();
+  });
   json.integer("broken", count_broken(results));
   json.integer("unfinished", std::ranges::count_if(results, [](const CaseResult& result) { return !result.finished; }));
   json.boolean("interrupted", !std::ranges::all_of(results, &CaseResult::finished));

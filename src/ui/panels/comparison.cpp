@@ -44,20 +44,6 @@ bool is_drawn(const Row& row) {
   return row.error && row.cpu_ms_per_s && *row.error > 0.0 && *row.cpu_ms_per_s > 0.0 && row.relative_error < 1.0;
 }
 
-// Decades, from floor to ceiling.
-struct LogAxis {
-  int min = 0, max = 1;
-  void include(double value) {
-    const double decade = std::log10(value);
-    min = is_empty ? static_cast<int>(std::floor(decade)) : std::min(min, static_cast<int>(std::floor(decade)));
-    max = is_empty ? static_cast<int>(std::ceil(decade)) : std::max(max, static_cast<int>(std::ceil(decade)));
-    max = std::max(max, min + 1);
-    is_empty = false;
-  }
-  float fraction(double value) const { return static_cast<float>((std::log10(value) - min) / (max - min)); }
-  bool is_empty = true;
-};
-
 // Of a power of ten [ms]: "10 ms", "100 \u03bcs".
 std::string cost_label(int decade) {
   constexpr std::array units_of_time{"ns", "\u03bcs", "ms", "s"};
@@ -80,14 +66,7 @@ struct Chart {
 
   void draw_grid() const {
     ImGui::PushFont(fonts().small);
-    const int skipped = std::max(1, (error.max - error.min) / 6);
-    for (int decade = error.min; decade <= error.max; decade += skipped) {
-      const float y = place(std::pow(10.0, cost.min), std::pow(10.0, decade)).y;
-      list.AddLine({at.x, y}, {end.x, y}, palette::line);
-      const std::string label = length_text(std::pow(10.0, decade) * (1.0 + 1e-9));
-      const ImVec2 wide = ImGui::CalcTextSize(label.c_str());
-      list.AddText({at.x - wide.x - units(6.0), y - 0.5f * wide.y}, palette::dim, label.c_str());
-    }
+    draw_decades(list, error, at, end, 6);
     // as many labels as have room
     const float label_width = ImGui::CalcTextSize("100 ms").x + units(8.0);
     const int every =
@@ -297,8 +276,7 @@ void buttons(const PanelInput& input, Panels& panels, Requests& requests) {
       tooltip("Use the fastest with an error below 10 %: " + setting_text(*row, settings.frame_rate));
     }
   }
-  ImGui::SameLine(ImGui::GetWindowWidth() - units(64.0) - ImGui::GetStyle().WindowPadding.x);
-  if (ImGui::Button("Close", {units(64.0), units(30.0)})) {
+  if (close_button()) {
     panels.shown.comparison = false;
     requests.emplace_back(StopComparison{});
   }

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -64,30 +63,21 @@ bool setting_row(Settings& settings, bool& is_removed) {
   return has_changed;
 }
 
-// Decades of the distances that are not zero; an empty range has max < min.
-struct Decades {
-  int min = std::numeric_limits<int>::max(), max = std::numeric_limits<int>::min();
-};
-
-Decades decades_of(const CompanionTable& table) {
-  Decades decades;
+// Of the distances that are not zero, at most some decades.
+LogAxis axis_of(const CompanionTable& table) {
+  LogAxis axis;
   for (const auto& distances : table.distances)
-    for (const double distance : distances) {
-      if (!(distance > 1e-15) || !std::isfinite(distance)) continue;
-      decades.min = std::min(decades.min, static_cast<int>(std::floor(std::log10(distance))));
-      decades.max = std::max(decades.max, static_cast<int>(std::ceil(std::log10(distance))));
-    }
-  if (decades.max < decades.min) return decades;
+    for (const double distance : distances)
+      if (distance > 1e-15 && std::isfinite(distance)) axis.include(distance);
   constexpr int most = 8;
-  decades.max = std::max(decades.max, decades.min + 1);
-  decades.min = std::max(decades.min, decades.max - most);
-  return decades;
+  axis.min = std::max(axis.min, axis.max - most);
+  return axis;
 }
 
 // Distance over time, on a logarithmic axis.
 void chart(const CompanionTable& table, ImVec2 size) {
-  const Decades decades = decades_of(table);
-  if (table.times.size() < 2 || decades.max <= decades.min) {
+  const LogAxis axis = axis_of(table);
+  if (table.times.size() < 2 || axis.is_empty) {
     dim_text(table.times.size() < 2 ? "Press Space to run the scene." : "No distance so far.");
     return;
   }
@@ -98,17 +88,9 @@ void chart(const CompanionTable& table, ImVec2 size) {
   const ImVec2 at{corner.x + units(54.0), corner.y + units(8.0)}, end{corner.x + size.x - units(8.0), corner.y + size.y - units(22.0)};
   const double first = table.times.front(), span = table.times.back() - first;
   const auto x_of = [&](double time) { return at.x + (end.x - at.x) * static_cast<float>((time - first) / span); };
-  const auto y_of = [&](double distance) {
-    return end.y - (end.y - at.y) * static_cast<float>((std::log10(distance) - decades.min) / (decades.max - decades.min));
-  };
+  const auto y_of = [&](double distance) { return end.y - (end.y - at.y) * axis.fraction(distance); };
   ImGui::PushFont(fonts().small);
-  for (int decade = decades.min; decade <= decades.max; decade += std::max(1, (decades.max - decades.min) / 4)) {
-    const float y = y_of(std::pow(10.0, decade));
-    list.AddLine({at.x, y}, {end.x, y}, palette::line);
-    const std::string label = length_text(std::pow(10.0, decade) * (1.0 + 1e-9));
-    const ImVec2 wide = ImGui::CalcTextSize(label.c_str());
-    list.AddText({at.x - wide.x - units(6.0), y - 0.5f * wide.y}, palette::dim, label.c_str());
-  }
+  draw_decades(list, axis, at, end, 4);
   const std::string begin_label = quantity_text(first, "s", 3), end_label = quantity_text(table.times.back(), "s", 3);
   list.AddText({at.x, end.y + units(4.0)}, palette::dim, begin_label.c_str());
   list.AddText({end.x - ImGui::CalcTextSize(end_label.c_str()).x, end.y + units(4.0)}, palette::dim, end_label.c_str());
@@ -192,8 +174,7 @@ void build_ghosts(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::SameLine();
   if (ImGui::Button("Restart", {units(72.0), units(30.0)})) has_changed = true;
   tooltip("Start all ghosts from the present state");
-  ImGui::SameLine(ImGui::GetWindowWidth() - units(64.0) - ImGui::GetStyle().WindowPadding.x);
-  if (ImGui::Button("Close", {units(64.0), units(30.0)})) ghosts = {}, has_changed = true;
+  if (close_button()) ghosts = {}, has_changed = true;
   if (has_changed) requests.emplace_back(SetGhosts{ghosts.with_reference, ghosts.settings});
 }
 

@@ -69,9 +69,7 @@ void hint_out_of_view(const PanelInput& input, ImDrawList& list) {
   const std::string text = "Out of view: press " + key_text(shortcut_of(Action::FrameAll));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at = place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height);
-  const float dx = units(14.0), dy = units(8.0);
-  list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(8.0));
-  list.AddText(at, palette::text, text.c_str());
+  shaded_text(list, at, text, {14.0f, 8.0f}, 8.0);
 }
 
 // The length of the spring that is being attached, beside its middle.
@@ -83,9 +81,7 @@ void live_length(const PanelInput& input, ImDrawList& list) {
   const std::string text = quantity_text(glm::distance(from, to), "m");
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at = place(scene, middle.x - 0.5 * size.x, middle.y - size.y - units(10.0));
-  list.AddRectFilled({at.x - units(5.0), at.y - units(2.0)}, {at.x + size.x + units(5.0), at.y + size.y + units(2.0)}, palette::shade,
-                     units(4.0));
-  list.AddText(at, palette::text, text.c_str());
+  shaded_text(list, at, text, {5.0f, 2.0f});
 }
 
 // A round length as it appears at the camera's target.
@@ -181,8 +177,7 @@ void toast(const PanelInput& input, Panels& panels, ImDrawList& list) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at = place(scene, 0.5 * (scene.width - size.x), scene.height - units(70.0) - size.y);
   const ImVec2 min{at.x - dx, at.y - dy}, max{at.x + size.x + dx, at.y + size.y + dy};
-  list.AddRectFilled(min, max, palette::shade, units(8.0));
-  list.AddText(at, palette::text, text.c_str());
+  shaded_text(list, at, text, {14.0f, 8.0f}, 8.0);
   // it stays while it is being read
   if (ImGui::IsMouseHoveringRect(min, max, false)) messages.toast_until = std::max(messages.toast_until, now + 1.0);
 }

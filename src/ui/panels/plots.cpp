@@ -141,9 +141,7 @@ void draw_difference(ImDrawList& list, const TraceTable& table, const Plot& plot
             quantity_text(trace->values[sample_at(table, *b)] - trace->values[sample_at(table, *a)], plot.unit);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at{max.x - size.x - units(8.0), std::max(min.y, max.y - size.y - units(6.0))};
-  list.AddRectFilled({at.x - units(5.0), at.y - units(3.0)}, {at.x + size.x + units(5.0), at.y + size.y + units(3.0)}, palette::shade,
-                     units(4.0));
-  list.AddText(at, palette::text, text.c_str());
+  shaded_text(list, at, text, {5.0f, 3.0f});
 }
 
 // The highest peak of a spectrum.

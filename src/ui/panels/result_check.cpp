@@ -53,8 +53,7 @@ void buttons(const ResultStatus<ResultCheck>& status, Panels& panels, Requests& 
       panels.show_toast("Copied the table");
     }
   }
-  ImGui::SameLine(ImGui::GetWindowWidth() - units(64.0) - ImGui::GetStyle().WindowPadding.x);
-  if (ImGui::Button("Close", {units(64.0), units(30.0)})) {
+  if (close_button()) {
     panels.shown.result_check = false;
     requests.emplace_back(StopResultCheck{});
   }

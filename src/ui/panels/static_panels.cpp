@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ui/theme.h"
+#include "ui/widgets.h"
 #include "ui/wrapped_text.h"
 
 namespace hooke {
@@ -15,13 +15,11 @@ constexpr int frames_to_settle = 3;
 
 // A line at the bottom left of a rectangle, legible on any ground.
 void draw_stamp(const std::string& text, const Rect& place) {
-  ImDrawList& list = *ImGui::GetForegroundDrawList();
   const float dx = units(8.0), dy = units(5.0), room = std::max(1.0f, static_cast<float>(place.width) - 4.0f * dx);
   const std::string lines = wrapped(text, room);
   const ImVec2 size = ImGui::CalcTextSize(lines.c_str());
   const ImVec2 at{static_cast<float>(place.x) + 2.0f * dx, static_cast<float>(place.y + place.height) - size.y - 3.0f * dy};
-  list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(4.0));
-  list.AddText(at, palette::text, lines.c_str());
+  shaded_text(*ImGui::GetForegroundDrawList(), at, lines, {8.0f, 5.0f});
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ bool SurfaceDetection::list_pairs(const SurfacePlan& plan, double need) {
     keys_[k].clear();
     for (const SurfacePair& pair : pairs_[k]) keys_[k].push_back(pair.distance);
   }
-  tests_ += candidates();
+  tests_ += static_cast<long>(keys_[0].size() + keys_[1].size());
   return true;
 }
 

@@ -56,7 +56,6 @@ class SurfaceDetection {
   long crossings() const { return crossings_; }           // at the start of the frame
   long searches() const { return lists_ - first_list_; }  // in this frame
   long tests() const { return tests_; }                   // distances and blocks that were examined, in this substep
-  long candidates() const { return static_cast<long>(keys_[0].size() + keys_[1].size()); }
 
  private:
   bool update(const SurfacePlan& plan);

@@ -33,7 +33,6 @@ void SurfaceImpacts::prevent(const SurfacePlan& plan, SurfaceDetection& detectio
       for (int c = 0; c < 4; ++c) from[c] = x[pair.points[c]], displacement[c] = h * u[pair.points[c]];
       const double part = free_part(pair.kind, from, displacement, pair.distance, distances_);
       if (part == 1.0) continue;
-      ++impacts_;
       if (pass < contact::impact_passes)
         respond(pair, inverse_mass, x, part * h, held, u), hits = true;
       else

@@ -10,7 +10,7 @@ namespace hooke {
 
 class SurfaceImpacts {
  public:
-  void begin_frame() { impacts_ = excess_ = 0; }
+  void begin_frame() { excess_ = 0; }
   void begin_substep() {
     distances_ = 0;
     has_failed_ = false;
@@ -22,7 +22,6 @@ class SurfaceImpacts {
                double h, Index held, std::span<Vec3> u);
   // Whether the last call gave up: it takes too much work, or there are too many pairs.
   bool has_failed() const { return has_failed_; }
-  long impacts() const { return impacts_; }      // in this frame
   long distances() const { return distances_; }  // computed in this substep
 
  private:
@@ -32,7 +31,7 @@ class SurfaceImpacts {
 
   std::vector<Index> zone_;  // per point: the first of those that move together; empty: none do
   bool has_failed_ = false;
-  long impacts_ = 0, distances_ = 0;
+  long distances_ = 0;
   long excess_ = 0;  // distances of earlier substeps of the frame, beyond what is usual
 };
 

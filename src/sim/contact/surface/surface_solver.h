@@ -42,10 +42,8 @@ class SurfaceSolver {
   // Whether the last call gave up: there are too many pairs, or impacts.
   bool has_failed() const { return has_failed_; }
 
-  // In this frame, for tests and measurements.
-  long searches() const { return detection_.searches(); }      // of pairs
-  long impacts() const { return impacts_.impacts(); }          // found by continuous collision detection
-  long candidates() const { return detection_.candidates(); }  // pairs
+  // Searches of pairs in this frame, for tests and measurements.
+  long searches() const { return detection_.searches(); }
 
  private:
   bool load(const Plan& plan, const Field& x0, double h, const Motion& motion);

@@ -9,43 +9,15 @@
 
 #include <hwy/highway.h>
 
+#include "sim/forces/lane_vectors-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <class V>
-struct Air {
-  V x, y, z;
-};
-template <class V>
-HWY_INLINE Air<V> minus(const Air<V>& a, const Air<V>& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-template <class V>
-HWY_INLINE Air<V> plus(const Air<V>& a, const Air<V>& b) {
-  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-template <class V>
-HWY_INLINE Air<V> scaled(V s, const Air<V>& a) {
-  return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
-}
-template <class V>
-HWY_INLINE V dot_product(const Air<V>& a, const Air<V>& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-template <class V>
-HWY_INLINE V difference_of_products(V a, V b, V c, V d) {
-  return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
-}
-template <class V>
-HWY_INLINE Air<V> cross_product(const Air<V>& a, const Air<V>& b) {
-  return {difference_of_products(a.y, b.z, b.y, a.z), difference_of_products(a.z, b.x, b.z, a.x),
-          difference_of_products(a.x, b.y, b.x, a.y)};
-}
-
 // A point of each cell: those of the first cell is `point`.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Air<V> load_points(D d, const Plan& plan, const double* field, Index point) {
+HWY_INLINE LaneVector<V> load_points(D d, const Plan& plan, const double* field, Index point) {
   const std::size_t n = static_cast<std::size_t>(plan.points), i = static_cast<std::size_t>(point);
   return {hn::LoadU(d, field + i), hn::LoadU(d, field + n + i), plan.dimensions == 3 ? hn::LoadU(d, field + 2 * n + i) : hn::Zero(d)};
 }
@@ -53,7 +25,7 @@ HWY_INLINE Air<V> load_points(D d, const Plan& plan, const double* field, Index 
 // The corners i, j, j+1, i+1 of cells.
 template <class D, class V = hn::Vec<D>>
 struct CellCorners {
-  Air<V> at[4];
+  LaneVector<V> at[4];
   HWY_INLINE CellCorners(D d, const Plan& plan, const double* field, Index i, Index j)
       : at{load_points(d, plan, field, i), load_points(d, plan, field, j), load_points(d, plan, field, j + 1),
            load_points(d, plan, field, i + 1)} {}
@@ -61,16 +33,16 @@ struct CellCorners {
 
 // As force_on_corner in wind.cpp, but for the division of both coefficients by 8. v: the sum of the velocities of the corners.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Air<V> force_on_corners(D d, const Wind& wind, const CellCorners<D>& x, const Air<V>& v) {
-  const Air<V> twice_area = cross_product(minus(x.at[2], x.at[0]), minus(x.at[3], x.at[1]));
-  const V square = dot_product(twice_area, twice_area);
-  const Air<V> velocity{hn::Set(d, wind.velocity.x), hn::Set(d, wind.velocity.y), hn::Set(d, wind.velocity.z)};
-  const Air<V> past = minus(velocity, scaled(hn::Set(d, 0.25), v));
-  const V flux = dot_product(past, twice_area), across = hn::Div(flux, square);
-  const Air<V> along = minus(past, scaled(across, twice_area));
+HWY_INLINE LaneVector<V> force_on_corners(D d, const Wind& wind, const CellCorners<D>& x, const LaneVector<V>& v) {
+  const LaneVector<V> twice_area = cross(minus(x.at[2], x.at[0]), minus(x.at[3], x.at[1]));
+  const V square = dot(twice_area, twice_area);
+  const LaneVector<V> velocity{hn::Set(d, wind.velocity.x), hn::Set(d, wind.velocity.y), hn::Set(d, wind.velocity.z)};
+  const LaneVector<V> past = minus(velocity, times(hn::Set(d, 0.25), v));
+  const V flux = dot(past, twice_area), across = hn::Div(flux, square);
+  const LaneVector<V> along = minus(past, times(across, twice_area));
   const V of_normal = hn::Mul(hn::Mul(hn::Set(d, wind.normal), hn::Abs(flux)), across);
-  const V of_tangential = hn::Mul(hn::Set(d, wind.tangential), hn::Sqrt(hn::Mul(square, dot_product(along, along))));
-  const Air<V> force = plus(scaled(of_normal, twice_area), scaled(of_tangential, along));
+  const V of_tangential = hn::Mul(hn::Set(d, wind.tangential), hn::Sqrt(hn::Mul(square, dot(along, along))));
+  const LaneVector<V> force = plus(times(of_normal, twice_area), times(of_tangential, along));
   const auto is_flat = hn::Lt(square, hn::Set(d, min_square_of_area));
   if (HWY_LIKELY(hn::AllFalse(d, is_flat))) return force;
   return {hn::IfThenZeroElse(is_flat, force.x), hn::IfThenZeroElse(is_flat, force.y), hn::IfThenZeroElse(is_flat, force.z)};
@@ -112,7 +84,7 @@ void compute_row(const Plan& plan, const Wind wind, Index i, Index j, Index cell
       hn::StoreU(force.y, d, row.force[1] + at);
       hn::StoreU(force.z, d, row.force[2] + at);
     }
-    if constexpr (has_power) hn::StoreU(dot_product(force, sum), d, row.power + cell);
+    if constexpr (has_power) hn::StoreU(dot(force, sum), d, row.power + cell);
   });
 }
 

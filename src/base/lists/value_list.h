@@ -1,4 +1,4 @@
-// Iterates over a list whose elements are computed when they are read, by its operator[].
+// What a list whose elements are computed when they are read, by its operator[], needs to be used like a vector.
 #pragma once
 
 #include <compare>
@@ -46,6 +46,25 @@ class ValueIterator {
  private:
   const List* list_ = nullptr;
   difference_type at_ = 0;
+};
+
+// The base of such a List, which has a size().
+template <class List, class Value>
+class ValueList {
+ public:
+  using value_type = Value;
+  using const_iterator = ValueIterator<List>;
+  using iterator = const_iterator;
+
+  bool empty() const { return list().size() == 0; }
+  Value front() const { return list()[0]; }
+  Value back() const { return list()[list().size() - 1]; }
+  const_iterator begin() const { return {list(), 0}; }
+  const_iterator end() const { return {list(), list().size()}; }
+  bool operator==(const ValueList&) const = default;
+
+ private:
+  const List& list() const { return static_cast<const List&>(*this); }
 };
 
 }  // namespace hooke
