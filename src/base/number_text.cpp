@@ -55,14 +55,10 @@ std::string number_text(double value, int digits) {
   const double size = std::abs(value);
   if (!std::isfinite(value) || size == 0.0) return formatted("%g", size == 0.0 ? 0.0 : value);
   if (size < min || size >= max) return as_power(value, digits);
-  return size >= std::pow(10.0, digits) - 0.5 ? formatted("%.0f", value) : formatted("%.*g", digits, value);
-}
-
-std::string grouped_text(double value) {
-  std::string digits = formatted("%.0f", value);
-  const std::size_t first = value < 0.0 ? 1 : 0;
-  for (std::size_t end = digits.size(); end > first + 3; end -= 3) digits.insert(end - 3, ",");
-  return digits;
+  std::string text = size >= std::pow(10.0, digits) - 0.5 ? formatted("%.0f", value) : formatted("%.*g", digits, value);
+  const std::size_t first = value < 0.0 ? 1 : 0, last = std::min(text.find('.'), text.size());
+  for (std::size_t end = last; last > first + 4 && end > first + 3; end -= 3) text.insert(end - 3, ",");
+  return text;
 }
 
 std::string unit_text(std::string_view unit) {

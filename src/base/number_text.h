@@ -6,12 +6,9 @@
 
 namespace hooke {
 
-// So many significant digits, and all digits of an integer part below ten million: "0.1667", "123456"; a power of ten for numbers beyond
-// 1e-4 and 1e7: "2.5×10⁻⁵".
+// So many significant digits, and all digits of an integer part below ten million, in groups from five digits on: "0.1667", "1234",
+// "123,456"; a power of ten for numbers beyond 1e-4 and 1e7: "2.5×10⁻⁵".
 std::string number_text(double value, int digits = 4);
-
-// All digits of the integer nearest to it, in groups: "270,000".
-std::string grouped_text(double value);
 
 // "m/s²" for "m/s^2", "kg/m³" for "kg/m^3".
 std::string unit_text(std::string_view unit);

@@ -1,5 +1,8 @@
 #include "draw/view.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 #include "draw/gl/gui_renderer.h"
 #include "draw/gl/render_target.h"
 #include "draw/gl/shader.h"
@@ -77,10 +80,12 @@ void add_ghosts(const DrawContext& context, Strokes& strokes, PointImpostors& im
 
   add_ghost_networks(context, strokes, impostors);
 
-  // Many overlapping lines must stay faint.
-  const double faint = context.marks.ghost_lines.size() > 500 ? 0.28 : 0.5;
-  for (const auto& [from, to] : context.marks.ghost_lines)
-    strokes.add(context.projection, from, to, rgba(context.palette.hover, faint), 1.25f * scale);
+  // Many overlapping lines must stay faint, and more so where they are only pixels apart: their pattern would not be that of the part.
+  const auto& lines = context.marks.ghost_lines;
+  const Vec3 from = lines.empty() ? Vec3(0.0) : lines[0].first, to = lines.empty() ? Vec3(0.0) : lines[0].second;
+  const double length = context.projection.scale(context.projection.clip(from)) * glm::distance(from, to) / scale;  // [px of the screen]
+  const double faint = lines.size() > 500 ? 0.28 * std::clamp(length / 12.0, 0.2, 1.0) : 0.5;
+  for (const auto& [a, b] : lines) strokes.add(context.projection, a, b, rgba(context.palette.hover, faint), 1.25f * scale);
   for (const Vec3& place : context.marks.ghost_nails) {
     const glm::dvec4 clip = context.projection.clip(place);
     PointImpostor nail{.radius = 3.5f * scale, .body = rgba(context.palette.nailed, 0.8)};

@@ -11,15 +11,12 @@
 namespace hooke {
 namespace {
 
-// Numbers from a thousand to ten million in groups of digits.
-std::string grouped(double value) { return std::abs(value) >= 1000.0 && std::abs(value) < 1e7 ? grouped_text(value) : number_text(value); }
-
 template <class Items, class Value>
 std::string mean_of(const Items& items, const Value& value) {
   double sum = 0.0, count = 0.0;
   for (const auto& item : items)
     if (const auto one = value(item.first); std::isfinite(one)) sum += one, count += 1.0;
-  return count > 0.0 ? grouped(sum / count) : std::string();
+  return count > 0.0 ? number_text(sum / count) : std::string();
 }
 
 std::string value_of(const Parameter& parameter, const Scene& scene) {
@@ -27,9 +24,9 @@ std::string value_of(const Parameter& parameter, const Scene& scene) {
   if (parameter.kind == Parameter::Kind::Switch) return value != 0.0 ? "on" : "off";
   if (parameter.kind == Parameter::Kind::Choice) {
     const auto choice = static_cast<std::size_t>(value);
-    return choice < parameter.choices.size() ? std::string(parameter.choices[choice].label) : grouped(value);
+    return choice < parameter.choices.size() ? std::string(parameter.choices[choice].label) : number_text(value);
   }
-  return std::isfinite(value) ? grouped(value) : std::string();
+  return std::isfinite(value) ? number_text(value) : std::string();
 }
 
 // What is set, and in which unit: "k", "N/m".

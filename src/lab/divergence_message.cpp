@@ -30,7 +30,7 @@ std::string describe_growth(double factor) {
   if (!std::isfinite(factor)) return "without limit";
   if (factor >= 1e9) return number_text(std::pow(10.0, std::floor(std::log10(factor))), 1) + "-fold";
   const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(factor)) - 1.0));
-  return grouped_text(unit * std::round(factor / unit)) + "-fold";
+  return number_text(unit * std::round(factor / unit)) + "-fold";
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ std::string describe(const Divergence& divergence, const System& system) {
              std::to_string(max_adaptive_surface_steps) + " steps with contact of faces or springs, in the frame" + when + "; fastest is " +
              location + ".";
     case Divergence::Kind::TooManyPairs:
-      return "More than " + grouped_text(static_cast<double>(PairSolver::max_pairs)) +
+      return "More than " + number_text(static_cast<double>(PairSolver::max_pairs)) +
              " pairs of points come within reach of each other in one substep" + when +
              ", or contact takes too much work in a frame; fastest is " + location + ".";
     case Divergence::Kind::MatrixTooLarge:

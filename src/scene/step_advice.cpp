@@ -12,7 +12,7 @@
 namespace hooke {
 namespace {
 
-std::string count_substeps(int substeps) { return std::to_string(substeps) + (substeps == 1 ? " substep" : " substeps"); }
+std::string count_substeps(int substeps) { return number_text(substeps) + (substeps == 1 ? " substep" : " substeps"); }
 
 int with_margin(int substeps, int margin) { return static_cast<int>(std::min<long>(max_substeps, static_cast<long>(margin) * substeps)); }
 
@@ -71,15 +71,14 @@ std::optional<std::string> step_warning(const System& system, const State& state
   if (const auto limit = limits.stable_substeps(method, settings.frame_rate); limit && advice.integrator == &method) {
     const bool has_margin = is_within_limit || *limit <= max_substeps / needs.margin;
     const std::string recommended =
-        has_margin ? std::to_string(advice.substeps) + " are recommended" + consequence_of(advice.substeps, settings.substeps)
+        has_margin ? number_text(advice.substeps) + " are recommended" + consequence_of(advice.substeps, settings.substeps)
                    : "no number of substeps has the recommended margin";
-    const std::string few = "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id + " here: ";
+    const std::string few = "simulation.substeps: " + number_text(settings.substeps) + ": may be too few for " + id + " here: ";
     if (is_within_limit) return few + describe(needs.passage) + "; " + recommended;
     return few + limits.limit_text(method, settings.frame_rate) + "; " + recommended;
   }
-  const std::string reason = method.stability == Stability::None
-                                 ? "amplifies undamped motion at every step"
-                                 : "needs more than " + std::to_string(max_substeps) + " substeps per frame";
+  const std::string reason = method.stability == Stability::None ? "amplifies undamped motion at every step"
+                                                                 : "needs more than " + number_text(max_substeps) + " substeps per frame";
   const std::string other(advice.integrator->id);
   // only a bound on the step can be recommended without a test
   if (!std::isfinite(limits.stable_step(*advice.integrator)))
@@ -87,7 +86,7 @@ std::optional<std::string> step_warning(const System& system, const State& state
   if (advice.integrator == &method) return "simulation.integrator: " + id + ": " + reason + " here";
   if (!limits.stable_substeps(*advice.integrator, settings.frame_rate))
     return "simulation.integrator: " + id + ": " + reason + " here, and " +
-           (method.stability == Stability::None ? other + " needs more than " + std::to_string(max_substeps) + " substeps per frame"
+           (method.stability == Stability::None ? other + " needs more than " + number_text(max_substeps) + " substeps per frame"
                                                 : "so does " + other);
   return "simulation.integrator: " + id + ": " + reason + " here; " + other + " with " + count_substeps(advice.substeps) +
          " per frame is recommended";
@@ -104,9 +103,9 @@ std::optional<std::string> oscillation_warning(const System& system, const Setti
   const std::string text =
       field + ".frequency: " + number_text(frequency) + ": is not resolved by " + count_substeps(available) + " per frame";
   if (is_automatic(settings)) return text + ", the maximum of auto";
-  if (needed > max_substeps) return text + ", nor by " + std::to_string(max_substeps);
+  if (needed > max_substeps) return text + ", nor by " + number_text(max_substeps);
   const int recommended = static_cast<int>(needed);
-  return text + "; " + std::to_string(recommended) + " are recommended" + consequence_of(recommended, settings.substeps);
+  return text + "; " + number_text(recommended) + " are recommended" + consequence_of(recommended, settings.substeps);
 }
 
 std::optional<std::string> unused_setting_warning(const Settings& settings) {

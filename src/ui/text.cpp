@@ -50,6 +50,8 @@ std::string milliseconds_text(double ms) {
   return number_text(smallest * std::round(ms / smallest), 2) + " ms";
 }
 
-std::string count(long n, std::string_view noun) { return std::to_string(n) + " " + std::string(noun) + (n == 1 ? "" : "s"); }
+std::string count(long n, std::string_view noun) {
+  return number_text(static_cast<double>(n)) + " " + std::string(noun) + (n == 1 ? "" : "s");
+}
 
 }  // namespace hooke

@@ -126,6 +126,7 @@ void set_colors(ImVec4* colors) {
       {ImGuiCol_TableHeaderBg, raised},
       {ImGuiCol_TableBorderLight, line},
       {ImGuiCol_TableRowBgAlt, panel},
+      {ImGuiCol_NavHighlight, accent},
       {ImGuiCol_SeparatorHovered, accent},
       {ImGuiCol_SeparatorActive, accent},
       {ImGuiCol_ScrollbarBg, panel},

@@ -144,6 +144,11 @@ TEST(Opening, OfAnImportFormatMakesAnUntitledDocument) {
   EXPECT_EQ(gui.system().point_count(), 3);
   gui.key(letter('S'), control);
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::Save);
+
+  // nor does an export propose to replace the file that was imported
+  gui.key(Key::Escape);
+  gui.key(letter('E'), control);
+  EXPECT_EQ(gui.app().panels().export_state.path, (fixture.folder / "sheet 2.obj").string());
 }
 
 }  // namespace

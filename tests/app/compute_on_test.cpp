@@ -48,7 +48,7 @@ TEST(ComputeOn, AMillionPointsNeedAGraphicsCard) {
   const bool is_fit = has_graphics_card();
   EXPECT_EQ(loaded.scene.system.point_count(), is_fit ? 1'000'000 : 16'384);
   ASSERT_EQ(loaded.warnings.size(), 1u);
-  EXPECT_NE(loaded.warnings.front().find(is_fit ? "Compute on" : "16384 points"), std::string::npos);
+  EXPECT_NE(loaded.warnings.front().find(is_fit ? "Compute on" : "16,384 points"), std::string::npos);
 }
 
 }  // namespace

@@ -133,6 +133,42 @@ TEST(Export, APictureIsRequestedFromTheWindow) {
   EXPECT_FALSE(png.gui().app().captures().take_wanted_picture());
 }
 
+// The fields of the dialog, as they are typed, decide what is drawn.
+TEST(Export, AFilmHasTheSizeAndTheBackgroundOfTheDialog) {
+  for (const bool transparent : {false, true}) {
+    Export film("two_masses", ".webp");
+    GuiFixture& gui = film.gui();
+    gui.frames(3);
+    for (const auto& [label, pixels] : {std::pair{"Width", "320"}, {"Height", "180"}}) {
+      const glm::dvec2 at = gui.find("export", {label, "##typed"});
+      ASSERT_GT(at.x, 0.0) << label;
+      gui.click(at);
+      gui.type(pixels);
+      const ImGuiWindow& box = *GuiFixture::find_window("export");
+      gui.click({box.Pos.x + 0.5 * box.Size.x, box.Pos.y + 6.0});
+    }
+    if (transparent) gui.click(gui.find("export", {"Transparent background"}));
+    film.run();
+    FilmRecorder& recorder = gui.app().captures().film_recorder();
+    ASSERT_TRUE(recorder.is_filming()) << film.dialog().text;
+    PictureOptions wanted;
+    const auto draw = [&](const PictureOptions& options) {
+      wanted = options;
+      return Picture{.width = options.width, .height = options.height, .pixels = std::vector<std::uint8_t>(std::size_t{3} * 320 * 180)};
+    };
+    recorder.take(0.0, draw);
+    EXPECT_EQ(wanted.width, 0) << "the frame that asks for the film shows the dialog";
+    recorder.take(0.1, draw);
+    EXPECT_EQ(wanted.width, 320);
+    EXPECT_EQ(wanted.height, 180);
+    EXPECT_EQ(wanted.transparent, transparent);
+    EXPECT_FALSE(wanted.panels);
+    recorder.end_film();
+    EXPECT_TRUE(gui.wait_until([&] { return !recorder.is_writing(); }));
+    EXPECT_EQ(contents(film.file(".webp")).substr(8, 4), "WEBP");
+  }
+}
+
 TEST(Export, AnUnknownQuantityIsReported) {
   Export csv("two_masses", ".csv");
   csv.box().quantities = "time, y7";

@@ -122,6 +122,7 @@ TEST(KeyHandlers, F10OpensTheMenusWhichTheArrowsAndEnterOperate) {
   gui.frames(3);
   ASSERT_TRUE(gui.app().panels().menus.is_open);
   EXPECT_NE(gui.text().find("New flat scene"), std::string::npos);
+  EXPECT_FALSE(ImGui::GetCurrentContext()->NavDisableHighlight) << "the focus is not visible";
   EXPECT_EQ(press(gui, Key::Right), "menu");
   gui.frames(2);
   EXPECT_EQ(press(gui, Key::Right), "menu");

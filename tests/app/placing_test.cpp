@@ -126,6 +126,26 @@ TEST(Placement, EnterPlacesItAsOneUndoStep) {
 }
 
 // Cloths and ropes touch where users expect it; undo removes the contact with the part.
+// Until a large part is there, its preview stays, and a line says so; the hint of an empty scene does not cover it.
+TEST(Placement, OfALargePartIsFollowed) {
+  GuiFixture gui(is_3d_only());
+  Placement& placement = choose(gui, "sheet");
+  for (std::size_t i = 0; i < placement.shape.kind->numbers.size(); ++i)
+    if (const std::string_view label = placement.shape.kind->numbers[i].label; label == "Columns" || label == "Rows")
+      placement.shape.values[i] = 150.0;
+  gui.frames(2);
+  gui.app().handle(KeyPress{Key::Enter});
+  ImGui::NewFrame();
+  gui.app().build_frame({});
+  ImGui::Render();
+  EXPECT_EQ(gui.app().panels().messages.toast, "Placing 22,500 points...");
+  EXPECT_FALSE(gui.app().marks().ghost_lines.empty());
+  EXPECT_EQ(read_text(*ImGui::GetDrawData()).find("Press A"), std::string::npos);
+  gui.frames(2);
+  EXPECT_EQ(gui.system().point_count(), 22'500);
+  EXPECT_TRUE(gui.app().marks().ghost_lines.empty());
+}
+
 TEST(Placement, SwitchesOnContactInTheSameStep) {
   for (const ShapeKind& kind : placeable_shapes()) {
     GuiFixture gui(is_3d_only());

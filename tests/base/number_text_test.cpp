@@ -14,8 +14,10 @@ TEST(NumberText, HasFourDigitsAndAllOfALargeInteger) {
   EXPECT_EQ(number_text(1.0 / 6.0), "0.1667");
   EXPECT_EQ(number_text(-12.345), "-12.35");
   EXPECT_EQ(number_text(1000.0), "1000");
-  EXPECT_EQ(number_text(9999.7), "10000");
-  EXPECT_EQ(number_text(150512.4), "150512");
+  EXPECT_EQ(number_text(9999.7), "10,000");
+  EXPECT_EQ(number_text(150512.4), "150,512");
+  EXPECT_EQ(number_text(-1234567.0), "-1,234,567");
+  EXPECT_EQ(number_text(12345.67, 6), "12,345.7");
   EXPECT_EQ(number_text(123.0, 2), "123");
   EXPECT_EQ(number_text(0.0123, 1), "0.01");
 }
@@ -49,7 +51,7 @@ TEST(QuantityText, HasPrefixes) {
 // A prefix of "kg" would be wrong, and kiloseconds are not used.
 TEST(QuantityText, OfOtherUnitsIsAPowerOfTen) {
   EXPECT_EQ(quantity_text(2.5e-7, "kg m/s"), "2.5\u00d710\u207b\u2077 kg m/s");
-  EXPECT_EQ(quantity_text(86400.0, "s"), "86400 s");
+  EXPECT_EQ(quantity_text(86400.0, "s"), "86,400 s");
   EXPECT_EQ(quantity_text(1e20, "J"), "1\u00d710\u00b2\u2070 J");
   EXPECT_EQ(quantity_text(1e-5, "1"), "1\u00d710\u207b\u2075");
 }

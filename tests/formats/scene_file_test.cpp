@@ -310,12 +310,12 @@ TEST(SceneFile, WarnsAboutTheStepOfASteepForceWithTheCostOfTheRecommendation) {
   EXPECT_EQ(
       warnings_at("1e-6"),
       std::vector<std::string>{"test.json: simulation.substeps: 20: may be too few for velocity_verlet here: its linear stability limit "
-                               "is 528 substeps per frame where the listed forces are strongest; 14385 are recommended, which take about "
+                               "is 528 substeps per frame where the listed forces are strongest; 14,385 are recommended, which take about "
                                "719 times as long"});
   for (const char* strength : {"1e-3", "1", "1000"})
     EXPECT_EQ(
         warnings_at(strength),
-        std::vector<std::string>{"test.json: simulation.integrator: velocity_verlet: needs more than 1000000 substeps per frame here; "
+        std::vector<std::string>{"test.json: simulation.integrator: velocity_verlet: needs more than 1,000,000 substeps per frame here; "
                                  "dop853 has no linear limit, but is not tested on this scene"})
         << strength;
 }

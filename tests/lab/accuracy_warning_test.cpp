@@ -76,7 +76,7 @@ TEST(AccumulatedWarning, NamesNoToleranceBesideContactAndTheHand) {
   accuracy.half_error.cost = 2.0;
   accuracy.half_error.reason = {};
   EXPECT_EQ(accumulated_warning(accuracy, {}),
-            "accumulated error of about 300 mm, 60 % of the motion: half the error: 32 substeps, 2.0x the time, which is not tested");
+            "accumulated error of about 300 mm, 60 % of the motion: half the error: 32 substeps, 2\u00d7 the time, which is not tested");
 
   TestSim sim = vibration();
   sim.system.contact.points = true;

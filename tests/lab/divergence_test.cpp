@@ -51,7 +51,7 @@ TEST(Divergence, IsExplainedWithTheGrowthOfTheEnergyToTwoDigits) {
   };
   EXPECT_EQ(message(6.04e5), "The simulation blew up at t = 0.5 s: energy grew 600,000-fold, first at point 1.");
   EXPECT_EQ(message(123.0), "The simulation blew up at t = 0.5 s: energy grew 120-fold, first at point 1.");
-  EXPECT_EQ(message(1.26e7), "The simulation blew up at t = 0.5 s: energy grew 13,000,000-fold, first at point 1.");
+  EXPECT_EQ(message(1.26e7), "The simulation blew up at t = 0.5 s: energy grew 1.3\u00d710\u2077-fold, first at point 1.");
   EXPECT_EQ(message(3e40), "The simulation blew up at t = 0.5 s: energy grew 1×10⁴⁰-fold, first at point 1.");
 }
 

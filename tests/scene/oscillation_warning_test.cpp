@@ -27,9 +27,9 @@ TEST(OscillationWarning, NamesTheFastestColliderThatTheStepsDoNotResolve) {
 TEST(OscillationWarning, IsNotGivenForMethodsThatResolveItThemselves) {
   for (const char* id : {"auto", "dop853"}) EXPECT_FALSE(oscillation_warning(with_plates({240.0}), settings_with(id, 1))) << id;
   EXPECT_EQ(oscillation_warning(with_plates({1e6}), settings_with("auto", 1)),
-            "colliders[0].frequency: 1000000: is not resolved by 65536 substeps per frame, the maximum of auto");
+            "colliders[0].frequency: 1,000,000: is not resolved by 65,536 substeps per frame, the maximum of auto");
   EXPECT_EQ(oscillation_warning(with_plates({2e7}), settings_with("xpbd", 2)),
-            "colliders[0].frequency: 2×10⁷: is not resolved by 2 substeps per frame, nor by 1000000");
+            "colliders[0].frequency: 2×10⁷: is not resolved by 2 substeps per frame, nor by 1,000,000");
 }
 
 // Also where another limit is exceeded as well, with fewer substeps than the plate needs.

@@ -115,7 +115,7 @@ TEST(StepWarning, OfTheStiffMethodSaysOnceThatNoStepIsShortEnough) {
   network.system.gravity = Vec3(0.0);
   network.system.forces = {force_with("center", {{"strength", 1.0}, {"power", 2.0}, {"core", 1e-6}})};
   EXPECT_EQ(step_warning(network.system, network.state, {.integrator = &stiff_integrator(), .substeps = 20}),
-            "simulation.integrator: tr_bdf2: needs more than 1000000 substeps per frame here; dop853 has no linear limit, but is not "
+            "simulation.integrator: tr_bdf2: needs more than 1,000,000 substeps per frame here; dop853 has no linear limit, but is not "
             "tested on this "
             "scene");
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/folder_listing.h"
+#include "base/number_text.h"
 #include "base/printable.h"
 #include "device/gpu_device.h"
 #include "formats/open_file.h"
@@ -40,7 +41,7 @@ LoadedScene load_fitting(const std::filesystem::path& file, const Progress& prog
   const bool is_fit = has_graphics_card();
   LoadedScene loaded = load_file(is_fit ? large : file, progress, options);
   loaded.warnings.push_back(is_fit ? "Its speed is that of a graphics card: set Compute on to GPU."
-                                   : "Opened with " + std::to_string(loaded.scene.system.point_count()) +
+                                   : "Opened with " + number_text(loaded.scene.system.point_count()) +
                                          " points: all of them need a graphics card with OpenGL 4.3.");
   return loaded;
 }

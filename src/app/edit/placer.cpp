@@ -11,6 +11,7 @@
 #include "app/edit/placement_part.h"
 #include "base/printable.h"
 #include "formats/mesh/mesh_cloth.h"
+#include "ui/text.h"
 
 namespace hooke {
 namespace {
@@ -132,7 +133,7 @@ void Placer::read_mesh(const std::filesystem::path& file) {
       mesh_ = loaded.scene;
       set_material_for_size();
       place_in_sight();
-      panels_.placement.mesh_info = mesh_ ? std::to_string(mesh_->system.point_count()) + " points" : "";
+      panels_.placement.mesh_info = mesh_ ? count(mesh_->system.point_count(), "point") : "";
     };
   });
 }
@@ -160,7 +161,10 @@ void Placer::place() {
 
 void Placer::follow(const Pointer& pointer) {
   if (!is_on()) {
-    if (placed_ && context_.lab.settle(std::chrono::milliseconds(0))) placed_.reset();
+    if (context_.lab.settle(std::chrono::milliseconds(0)))
+      placed_.reset();
+    else if (placed_ && placed_->system.point_count() >= 5000)
+      panels_.show_value("Placing " + count(placed_->system.point_count(), "point") + "...");
     restore_view();
     mesh_.reset();
     is_pressed_ = false;

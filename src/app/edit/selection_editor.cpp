@@ -27,7 +27,7 @@ void SelectionEditor::copy(AfterCopy after_copy) {
   if (part->system.points().empty()) return panels_.show_toast("No point or spring is selected");
   if (part->system.point_count() > max_copied_points)
     return panels_.show_toast("Too large for the clipboard: " + count(part->system.point_count(), "point") + ", the limit is " +
-                              std::to_string(max_copied_points));
+                              number_text(max_copied_points));
   task_.start("Copying " + count_of(*part), [this, part, after_copy](const Progress& progress) -> BackgroundTask::Completion {
     try {
       return [this, part, after_copy, text = format_scene(*part, progress)] {

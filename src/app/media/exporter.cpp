@@ -31,7 +31,8 @@ void Exporter::show() {
   state.is_shown = true;
   if (is_running()) return;
   state.is_new = true;
-  state.path = without_extension(document_.has_own_file() ? document_.file() : typed_path(document_.stem()));
+  const std::filesystem::path free_file = document_.new_file_beside(std::string(export_kinds()[state.kind].extension));
+  state.path = without_extension(document_.has_own_file() ? document_.file() : free_file);
 }
 
 void Exporter::start() {

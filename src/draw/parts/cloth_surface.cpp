@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <string_view>
 
 #include "draw/gl/shader.h"
 
@@ -102,7 +103,7 @@ void ClothSurface::extend(PixelExtent& extent, const NetworkRenderer& network_re
   for (const GLuint corner : indices_) extent.add(network_renderer.projected()[corner]);
 }
 
-// Uploads each texture once, with mipmaps for distant cloth.
+// Uploads each texture once, with mipmaps for distant cloth, which are finer along a cloth that is seen edge-on.
 void ClothSurface::upload_picture() {
   if (texture_ == 0) texture_ = GlName(GlKind::Texture);
   glBindTexture(GL_TEXTURE_2D, texture_);
@@ -113,6 +114,10 @@ void ClothSurface::upload_picture() {
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  // Mesa's software renderer takes minutes for a triangle that is seen edge-on
+  const std::string_view renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  if (GLEW_EXT_texture_filter_anisotropic && renderer.find("llvmpipe") == renderer.npos)
+    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8.0f);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
 }

@@ -32,7 +32,7 @@ void add_box(const DrawContext& context, const Box& box, Rgba fill, Rgba line, S
   for (int a = 0; a < 8; ++a)
     for (const int bit : {1, 2, 4})
       if (!(a & bit))
-        strokes.add(context.projection, box.corner(a), box.corner(a | bit), line, static_cast<float>(context.options.scale), 4.0);
+        strokes.add(context.projection, box.corner(a), box.corner(a | bit), line, static_cast<float>(context.options.scale), 1.0);
 }
 
 // A convex shape in the plane z = 0, filled from its center.

@@ -1,9 +1,7 @@
 #include "lab/accuracy/accuracy_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "base/number_text.h"
 #include "lab/accuracy/judgement.h"
@@ -79,12 +77,9 @@ std::string predictability_text(const Accuracy& accuracy) {
 
 std::string cost_text(const Accuracy& accuracy) {
   if (!accuracy.is_on || accuracy.half_error.substeps == 0) return {};
-  std::array<char, 16> factor{};
-  std::snprintf(factor.data(), factor.size(), "%.1f", accuracy.half_error.cost);
-  const std::string time = std::string(factor.data()) + "x the time, which is not tested";
-  if (accuracy.half_error.tolerance > 0.0) {
+  const std::string time = number_text(accuracy.half_error.cost, 2) + "\u00d7 the time, which is not tested";
+  if (accuracy.half_error.tolerance > 0.0)
     return "half the error: tolerance " + quantity_text(accuracy.half_error.tolerance, "m", 1) + ", " + time;
-  }
   return "half the error: " + std::to_string(accuracy.half_error.substeps) + " substeps, " + time;
 }
 

@@ -21,7 +21,7 @@ std::string length_text(double length);
 std::string error_text(const Measured& error, double size);
 // "predictable", "predictable for about 3 s more", "chaotic: only averages are meaningful", or the reason why it is not known.
 std::string predictability_text(const Accuracy& accuracy);
-// "half the error: 57 substeps, 1.4x the time, which is not tested": it follows from the order. Empty if nothing is measured.
+// "half the error: 57 substeps, 1.4× the time, which is not tested": it follows from the order. Empty if nothing is measured.
 std::string cost_text(const Accuracy& accuracy);
 
 // One line: "error 21 um/frame, 0.3 mm in total, predictable"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/file_limits.h"
+#include "base/number_text.h"
 
 namespace hooke {
 namespace {
@@ -58,7 +59,7 @@ std::string StepLimits::limit_text(const Integrator& method, double frame_rate) 
   const bool is_of_forces = spectrum_.force_omega * spectrum_.force_omega + spectrum_.estimated_omega * spectrum_.estimated_omega >
                             0.25 * spectrum_.omega * spectrum_.omega;
   return (is_set_by_contact(method) ? "contact may cause growth with fewer than " : "its linear stability limit is ") +
-         std::to_string(*substeps) + (*substeps == 1 ? " substep" : " substeps") + " per frame" +
+         number_text(*substeps) + (*substeps == 1 ? " substep" : " substeps") + " per frame" +
          (is_of_forces ? " where the listed forces are strongest" : "");
 }
 

@@ -53,7 +53,7 @@ void build_arrange(const PanelInput& input, Panels& panels, Requests& requests) 
       affine.shift[axis] = *by;
   std::string verb = "move";
   for (int axis = dimensions == 2 ? 2 : 0; axis < 3; ++axis)
-    if (const auto by = amount(dimensions == 2 ? "Turn" : std::string("Turn about ") + axes[axis], "deg",
+    if (const auto by = amount(dimensions == 2 ? "Turn" : std::string("Turn about ") + axes[axis], "degrees",
                                "About the center of the points, counter-clockwise.", 0.0, 360.0, panels)) {
       Vec3 unit(0.0);
       unit[axis] = 1.0;

@@ -211,7 +211,9 @@ float build_one(const MenuRow& menu, float x, bool opens, const PanelInput& inpu
   ImGui::SetNextWindowPos({x, static_cast<float>(bar.y + bar.height)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(10.0), units(7.0)});
   if (ImGui::BeginPopup(menu.name, ImGuiWindowFlags_NoMove)) {
-    if (opens) ImGui::SetKeyboardFocusHere();
+    // ImGui hides the focus of a menu that opens
+    int& hidden = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("hidden"), 0);
+    if (hidden = opens ? 3 : hidden; hidden > 0) --hidden, ImGui::GetCurrentContext()->NavDisableHighlight = false;
     menu.build(input, panels, requests);
     close_on_escape(input, panels);
     ImGui::EndPopup();

@@ -41,7 +41,8 @@ void legend(const PanelInput& input) {
 }
 
 void hint_of_empty_scene(const PanelInput& input, const Panels& panels, ImDrawList& list) {
-  if (input.status.snapshot->system->point_count() > 0 || panels.placement.is_on()) return;
+  const bool has_preview = input.marks != nullptr && !input.marks->ghost_lines.empty();
+  if (input.status.snapshot->system->point_count() > 0 || panels.placement.is_on() || has_preview) return;
   const Rect& scene = input.layout.scene;
   const std::string text = wrapped("Press A and click to add points, T to attach springs, Space to run.",
                                    std::max(1.0f, static_cast<float>(scene.width) - units(32.0)));
@@ -182,7 +183,7 @@ void toast(const PanelInput& input, Panels& panels, ImDrawList& list) {
   if (ImGui::IsMouseHoveringRect(min, max, false)) messages.toast_until = std::max(messages.toast_until, now + 1.0);
 }
 
-// "Start over with Baraff-Witkin and 4 substeps (0.59x real time)"
+// "Start over with Baraff-Witkin and 4 substeps (0.59× real time)"
 std::string remedy_label(const Remedy& remedy, const Settings& settings) {
   const Advice& advice = remedy.cheapest->advice;
   std::string text = remedy.from ? "Continue from t = " + quantity_text(*remedy.from, "s") + " with " : "Start over with ";

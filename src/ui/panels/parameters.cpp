@@ -170,7 +170,8 @@ void parameter_row(const Parameter& row, double value, const AffectedParts& part
 // The remark at the right of a section's heading.
 std::string scope_of(std::string_view group, const AffectedSprings& affected, const System& system) {
   if (group != parameter_group::springs) return {};
-  return affected.all ? "all " + std::to_string(system.spring_count()) : std::to_string(affected.selected.size()) + " selected";
+  return affected.all ? "all " + number_text(system.spring_count())
+                      : number_text(static_cast<double>(affected.selected.size())) + " selected";
 }
 
 }  // namespace
