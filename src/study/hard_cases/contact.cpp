@@ -92,7 +92,8 @@ constinit const HardCase cloth_on_ball_case{
         "32 x 32 points, 1 kg, k = 1e6 N/m, dropped from 2 m on a ball of 0.3 m on the ground, mu = 0.5, e = 0; 10 s with velocity_verlet",
     .criterion = "penetration < 1e-3 m, no energy gained (1e-3), finite",
     .remark =
-        "the other methods run for 0.7 s, past the impact at 0.53 s, to bound the time of the check; first-order methods may fail openly at "
+        "the other methods run for 0.7 s, past the impact at 0.53 s, to bound the time of the check; first-order methods may fail openly "
+        "at "
         "their stability limit",
     .slow = true,
     .judge = judge_cloth_on_ball,
