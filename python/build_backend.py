@@ -47,9 +47,9 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     name, prefix = f"hooke-{version}", pathlib.Path(wheel_directory).resolve() / "hooke-install"
     _install(prefix)
     files = {f"hooke/{file.name}": file.read_bytes() for file in sorted(next(prefix.rglob("_hooke*.so")).parent.iterdir()) if file.is_file()}
-    for folder, kind in (("scenes", ".json"), ("textures", ".png"), ("fonts", "")):
-        for file in sorted((root / "assets" / folder).glob(f"*{kind}")):
-            files[f"hooke/share/hooke/{folder}/{file.name}"] = file.read_bytes()
+    for pattern in ("scenes/**/*.json", "textures/**/*.png", "fonts/*"):
+        for file in sorted((root / "assets").glob(pattern)):
+            files[f"hooke/share/hooke/{file.relative_to(root / 'assets').as_posix()}"] = file.read_bytes()
     shutil.rmtree(prefix)
     files[f"{name}.dist-info/METADATA"] = _metadata().encode()
     files[f"{name}.dist-info/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: hooke\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()

@@ -33,8 +33,14 @@ def test_the_wheel_is_installed_used_and_removed(tmp_path):
 
     run("pip", "install", "--no-deps", "--ignore-installed", wheel)
     program = ("import hooke, importlib.metadata; print(importlib.metadata.version('hooke'), "
-               "hooke.load('two_masses').run(0.1, accuracy='off').hash, hooke.__file__)")
-    version, hash_of_run, file = run("python", "-c", program).split()
+               "hooke.load('two_masses').run(0.1, accuracy='off').hash, hooke.__file__, *(row['id'] for row in hooke.scenes()))")
+    version, hash_of_run, file, *scenes = run("python", "-c", program).split()
+    assert scenes == [row["id"] for row in hooke.scenes()]
+    installed = pathlib.Path(file).parent / "share" / "hooke"
+    for folder in ("scenes", "textures", "fonts"):
+        assets = root / "assets" / folder
+        assert {part.relative_to(assets) for part in assets.rglob("*")} == {
+            part.relative_to(installed / folder) for part in (installed / folder).rglob("*")}
     assert version == hooke.__version__ and hash_of_run == hooke.load("two_masses").run(0.1, accuracy="off").hash
     assert file.startswith(str(tmp_path))
     run("pip", "uninstall", "-y", "hooke")
