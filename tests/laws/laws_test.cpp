@@ -171,7 +171,7 @@ TEST_P(Laws, MeetsItsOrderOnDampedCubicSprings) {
 
 // x'' = w^2 l0 a sin(W t) - w^2 x, from rest, at resonance: x = l0 a / 2 (sin(w t) - w t cos(w t))
 TEST_P(Laws, DrivesAtTheResonanceOfAMuscle) {
-  constexpr double m = 0.25, k = 9.0, l0 = 1.0, a = 0.02, w = 6.0, seconds = 2.2;
+  constexpr double m = 0.25, k = 9.0, l0 = 1.0, a = 0.1, w = 6.0, seconds = 2.2;
   const auto error = [&](int steps) {
     TestSim sim;
     sim.system.gravity = Vec3(0.0);
@@ -186,7 +186,8 @@ TEST_P(Laws, DrivesAtTheResonanceOfAMuscle) {
     return std::abs(sim.position(mass).x - l0 - x) + std::abs(sim.velocity(mass).x - v) / w;
   };
   const int order = method().order;
-  expect_order(error, order == 8 ? 22 : order == 4 ? 400 : 2 * asymptotic_steps(order), order);
+  // at most 1/16 of the period
+  expect_order(error, order == 8 ? 44 : order == 4 ? 400 : 2 * asymptotic_steps(order), order);
 }
 
 // A winch shortens its cable at a constant rate: the weight on it bounces about where it would hang.

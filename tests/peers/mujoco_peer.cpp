@@ -1,6 +1,7 @@
 // MuJoCo: a body with three sliding joints per point, a site for a nail, and a spatial tendon per spring. These are the same equations of
 // motion: tendons have a stiffness, a rest length and a damping. Its Euler method is semi-implicit: velocities belong to half a step
 // before the positions, so it starts there and is then the leapfrog.
+#include <algorithm>
 #include <mujoco/mujoco.h>
 
 #include <fstream>
@@ -109,7 +110,7 @@ class MujocoPeer : public Peer {
       });
       // MuJoCo resets what it considers unstable
       if (d.warning[mjWARN_BADQPOS].number + d.warning[mjWARN_BADQVEL].number + d.warning[mjWARN_BADQACC].number > 0)
-        state.position.front().x = NAN;
+        std::ranges::fill(state.position, Vec3(NAN));
     });
   }
 
