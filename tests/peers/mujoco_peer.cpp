@@ -1,8 +1,8 @@
 // MuJoCo: a body with three sliding joints per point, a site for a nail, and a spatial tendon per spring. These are the same equations of
 // motion: tendons have a stiffness, a rest length and a damping. Its Euler method is semi-implicit: velocities belong to half a step
 // before the positions, so it starts there and is then the leapfrog.
-#include <algorithm>
 #include <mujoco/mujoco.h>
+#include <algorithm>
 
 #include <fstream>
 #include <stdexcept>
