@@ -20,8 +20,7 @@ CLI::Validator within(const Bounds& bounds) {
     const std::optional<double> value = parse_number(text);
     double any = 0.0;  // CLI11 knows numbers that are not finite, and reads 0x10 as 16 and 010 as 8
     const bool is_infinite = !value && CLI::detail::lexical_cast(text, any) && !std::isfinite(any);
-    const std::string reason =
-        value ? why_refused(*value, bounds) : (is_infinite ? "not a finite number: " : "not a number: ") + bounds.text();
+    std::string reason = value ? why_refused(*value, bounds) : (is_infinite ? "not a finite number: " : "not a number: ") + bounds.text();
     if (!reason.empty()) return printable(text, 80) + ": " + reason;
     text = format_exact(*value);
     return reason;

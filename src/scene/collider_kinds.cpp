@@ -36,7 +36,7 @@ struct Along {
   static void set_position(Collider& collider, double value) {
     Vec3 displacement(0.0);
     displacement[axis] = value - position(collider);
-    collider = translated(std::move(collider), displacement);
+    collider = translated(collider, displacement);
   }
   static double extent(const Collider& collider) { return box(collider)->max[axis] - box(collider)->min[axis]; }
   static void set_extent(Collider& collider, double value) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/number_text.h"
 #include "scene/flatness.h"
 #include "scene/parameter_groups.h"
 #include "scene/parameters.h"
