@@ -174,11 +174,11 @@ constexpr std::array rows{
 Measurement measure(const System& system, const State& state, const Accuracy* accuracy) {
   Measurement measurement{system, state, compute_energy(system, state), compute_momentum(system, state)};
   measurement.accuracy = accuracy;
+  if (system.spring_count() > 0) measurement.min_strain = measurement.largest_strain = strain(system, state, system.springs()[0]);
   for (const Spring& spring : system.springs()) {
     const double spring_strain = strain(system, state, spring);
-    const bool is_first = spring.id == system.springs()[0].id;
-    measurement.min_strain = is_first ? spring_strain : std::min(measurement.min_strain, spring_strain);
-    measurement.largest_strain = is_first ? spring_strain : std::max(measurement.largest_strain, spring_strain);
+    measurement.min_strain = std::min(measurement.min_strain, spring_strain);
+    measurement.largest_strain = std::max(measurement.largest_strain, spring_strain);
   }
   return measurement;
 }

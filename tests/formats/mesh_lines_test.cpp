@@ -70,6 +70,13 @@ TEST(Mesh, LinesTieClothsTogether) {
   EXPECT_GT(total_mass(scene.system), 0.2 * 1.5 + 1e-3);
 }
 
+TEST(Mesh, ASpringBetweenPointsOfTwoFacesIsWrittenAsALine) {
+  Scene scene = load("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 3 0 0\nv 4 0 0\nv 3 1 0\nf 1 2 3\nf 4 5 6\n").scene;
+  const PointId first = scene.system.points()[1].id, second = scene.system.points()[3].id;
+  scene.system.append_spring({.id = scene.system.new_spring_id(), .first = first, .second = second, .stiffness = 10.0, .rest_length = 2.0});
+  EXPECT_NE(format_obj(scene).find("\nl 2 4\n"), std::string::npos) << format_obj(scene);
+}
+
 TEST(Mesh, AlmostCoincidentEdgesAreReportedAndWeldedOnDemand) {
   // two squares, the second 0.005 mm away from the first
   const std::string seam = square + "v 1.000005 0 0\nv 2 0 0\nv 2 1 0\nv 1.000005 1 0\nf 5 6 7 8\n";

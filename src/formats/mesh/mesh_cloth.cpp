@@ -55,10 +55,10 @@ class ClothMaker {
       for (const Index end : line) area[end] += 0.5 * strip_width() * length_of(line);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (area[i] == 0.0) area[i] = strip_width() * strip_width();
-      // of faces so thin that their share of the mass would be lost to rounding
+      // a lower bound for degenerate faces, so that rounding does not lose their mass
       area[i] = std::max(area[i], min_relative_area * mesh_.size() * mesh_.size());
       points[i].mass = material_.density * area[i];
-      if (!(points[i].mass > 0.0)) points[i].mass = 1.0;  // of a mesh without extent, a single point
+      if (!(points[i].mass > 0.0)) points[i].mass = 1.0;  // the mesh is a single point and has no size
     }
     sheet_.area = area;
     scene_.state.position = mesh_.points;

@@ -142,7 +142,7 @@ class SceneWriter {
     out_.end();
   }
 
-  // Of all faces, unless they are those of the present positions.
+  // Writes the rest angles of all faces if they differ from the present angles.
   void write_rest_angles() {
     if (system_.faces.empty()) return;
     System drawn = system_;
@@ -311,7 +311,7 @@ class SceneWriter {
   const System& system_;
   const State& state_;
   const Progress& progress_;
-  std::size_t items_ = 0, written_items_ = 0;  // of all lists
+  std::size_t items_ = 0, written_items_ = 0;  // list elements, for the progress
   JsonWriter out_;
 };
 

@@ -25,7 +25,7 @@ StepNeeds step_needs(const System& system, const State& state);
 // The solid collider or the muscle that oscillates fastest.
 struct Oscillation {
   bool is_muscle = false;
-  std::size_t index = 0;                                            // of the collider or the spring
+  std::size_t index = 0;                                            // into the colliders or springs
   double resolving_step = std::numeric_limits<double>::infinity();  // [s]; infinity: there is none
 };
 Oscillation fastest_oscillation(const System& system);

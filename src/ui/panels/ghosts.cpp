@@ -63,7 +63,7 @@ bool setting_row(Settings& settings, bool& is_removed) {
   return has_changed;
 }
 
-// Of the distances that are not zero, at most some decades.
+// The range of the nonzero distances, at most eight decades.
 LogAxis axis_of(const CompanionTable& table) {
   LogAxis axis;
   for (const auto& distances : table.distances)
