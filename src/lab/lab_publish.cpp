@@ -52,11 +52,13 @@ std::shared_ptr<const Snapshot> Lab::snapshot() {
   snapshot->settings = scene_.settings;
   snapshot->energy = energy_;
   snapshot->momentum = compute_momentum(scene_.system, scene_.state);
+  bool any_strain = false;
   for (const Spring& spring : scene_.system.springs()) {
     if (!scene_.system.is_on(spring)) continue;
     const double value = strain(scene_.system, scene_.state, spring);
-    snapshot->min_strain = std::min(snapshot->min_strain, value);
-    snapshot->max_strain = std::max(snapshot->max_strain, value);
+    snapshot->min_strain = any_strain ? std::min(snapshot->min_strain, value) : value;
+    snapshot->max_strain = any_strain ? std::max(snapshot->max_strain, value) : value;
+    any_strain = true;
   }
   snapshot->omega = plan_.spectrum.omega;
   const Integrator& method = *scene_.settings.integrator;
