@@ -25,7 +25,8 @@ struct Pass {
   real unused[2];
 };
 
-// The motion: positions [m] from 0, velocities [m/s] from `points`, predicted velocities from 2 `points` on. w of a position: the inverse mass
+// The motion: positions [m] from 0, velocities [m/s] from `points`, predicted velocities from 2 `points` on, in place of which contact leaves
+// displacements by impacts [m]. w of a position: the inverse mass
 // [1/kg], 0 for points that are nailed or held.
 layout(std430, binding = 0) buffer From { real4 from[]; };
 layout(std430, binding = 1) buffer To { real4 to[]; };
@@ -40,7 +41,7 @@ layout(std430, binding = 6) buffer Frame {
   real4 acceleration;  // [m/s^2], of gravity, and of wind by drag
   real4 pull;          // weights of the pulled points; w: stiffness [N/m]
   real4 air;           // normal and tangential coefficient of wind [kg/m^3]
-  real4 substeps;      // h [s]; the velocity lag of the method under friction [1]; 1: a collider oscillates; drag [1/s]
+  real4 substeps;      // h [s]; the velocity lag of the method under friction [1]; the rate of the dashpots [1/s]; drag [1/s]
   real4 pull_velocity;  // [m/s], of the hand that pulls
   real4 held;           // weight of the point that the hand holds [N]; w: its index, -1: none
   Pass passes[3];
@@ -57,7 +58,7 @@ layout(std430, binding = 9) buffer FirstPanel { int first_panel[]; };
 layout(std430, binding = 10) buffer PanelsOfPoints { int panel_of[]; };
 layout(std430, binding = 11) buffer Radii { real radius[]; };  // [m]
 
-// What happened in each substep: bit 0: contact changed a motion, bit 1: a spring broke.
+// What happened in each substep: bit 0: contact changed a motion, bit 1: a spring broke, bit 2: an impact changed a motion.
 layout(std430, binding = 12) buffer Events { uint events[]; };
 
 // Of each point, if WORKS: since the start of the frame, by the causes of src/sim/model/energy_ledger.h [J]; and at the last forces [W].

@@ -202,7 +202,7 @@ bool solve_resting(int c, real h, real radius, Free path, out real3 x, out real3
 // The path of the point: a parabola from `time` on, with the correction of the method's path in v.
 real3 px, pv, pa, correction, free_correction, free_acceleration, start_x, start_v;  // start_v: without what contacts at rest do without work
 real path_time, base, left, velocity_change, radius_of_point, work_of_forces, pushed;  // base: of path times, since the start of the substep
-bool is_changed, is_listed;
+bool is_changed, is_listed, has_rebounded;
 real3 velocity;  // that impulses change
 
 // What it may touch.
@@ -473,6 +473,7 @@ void respond(int earliest, real t, bool may_rebound) {
   start_x = px;
   free_acceleration -= substeps.w / (1.0 + 0.5 * passing + passing * passing / 12.0) * (velocity - pv);
   pv = velocity;
+  has_rebounded = true;
   note_change();
   // without a rebound, the correction of the method's path must not separate them either
   for (int c = 0; c < COLLIDERS; ++c)
@@ -501,7 +502,7 @@ void simulate(real h, Free path) {
   px = path.x0;
   pa = free_acceleration = change / h;
   correction = (path.x1 - path.x0) / h - path.v0 - 0.5 * change;
-  if (substeps.z != 0.0 && norm(correction) <= 4.0 * epsilon * norm(path.x0) / h) correction = real3(0.0);
+  if (norm(correction) <= 4.0 * epsilon * norm(path.x0) / h) correction = real3(0.0);
   free_correction = correction;
   pv = start_v = path.v0 + correction;
   velocity_change = norm(change);
@@ -555,7 +556,9 @@ void add_works(int i, real work, real pushed, real3 v, Free path) {
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
-  if (i >= points || from[i].w == 0.0) return;
+  if (i >= points) return;
+  to[2 * points + i] = real4(0.0);  // by which impacts displace it
+  if (from[i].w == 0.0) return;
   Free path = Free(from[i].xyz, from[points + i].xyz, to[i].xyz, to[points + i].xyz);
   real h = substeps.x;
   radius_of_point = radius[i];
@@ -569,6 +572,7 @@ void main() {
   real3 x, v;
   real work;
   pushed = 0.0;
+  has_rebounded = false;
   if (count != 1 || !solve_resting(only, h, radius_of_point, path, x, v, work)) {
     simulate(h, path);
     if (!is_changed) return;
@@ -581,8 +585,9 @@ void main() {
 #endif
   to[i].xyz = x;
   to[points + i].xyz = v;
+  if (has_rebounded) to[2 * points + i].xyz = x - path.x1;
 #if WORKS
   add_works(i, work, pushed, v, path);
 #endif
-  atomicOr(events[substep], 1u);
+  atomicOr(events[substep], has_rebounded ? 5u : 1u);
 }

@@ -139,9 +139,7 @@ std::vector<double> frame_numbers(const Plan& plan, const FrameSteps& steps) {
     for (int p = 0; p < plan.hand.pull->count; ++p) weights[p] = plan.hand.pull->parts[p].weight;
   append(numbers, weights, plan.hand.pull ? plan.hand.pull->stiffness : 0.0);
   append(numbers, plan.forces.empty() ? Vec3(0.0) : Vec3(plan.forces[0].values[3], plan.forces[0].values[4], 0.0));
-  append(numbers,
-         {steps.h, steps.method.is_symplectic() ? steps.method.velocity_lag : 0.0, std::isfinite(plan.collider_paths.resolving_step)},
-         plan.drag);
+  append(numbers, {steps.h, steps.method.is_symplectic() ? steps.method.velocity_lag : 0.0, plan.spectrum.dashpot_rate}, plan.drag);
   const Kick<double> whole = kick_over(plan.drag, steps.h), half = kick_over(plan.drag, 0.5 * steps.h);
   append(numbers, plan.hand.pull ? plan.hand.pull->velocity : Vec3(0.0));
   append(numbers, plan.hand.held_mass * plan.gravity, plan.hand.held.value_or(no_index));

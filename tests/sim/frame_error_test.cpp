@@ -9,6 +9,7 @@
 #include "support/accuracy_scenes.h"
 #include "support/convergence.h"
 #include "support/next_frame.h"
+#include "support/random_scene.h"
 
 namespace hooke {
 namespace {
@@ -95,6 +96,49 @@ TEST(FrameErrorsWithFastDashpots, TheEstimateOfAnImplicitMethodIsItsError) {
         EXPECT_GT(estimate, error / 1.5) << damping << " " << id << " " << substeps;
         EXPECT_LT(estimate, error * 1.5) << damping << " " << id << " " << substeps;
       }
+}
+
+// Nets of two to five points with dashpots that fall onto a floor, with and without friction: HOOKE_SEED sets the sequence.
+TestSim damped_fall(Random& random) {
+  TestSim sim;
+  sim.system.dimensions = 2;
+  const Index points = 2 + random.below(4);
+  for (Index i = 0; i < points; ++i)
+    sim.add({random.uniform(-0.5, 0.5), random.uniform(0.05, 0.5), 0.0}, random.uniform(0.2, 2.0),
+            {random.uniform(-1.0, 1.0), random.uniform(-3.0, 0.0), 0.0});
+  for (Index i = 0; i < points; ++i)
+    for (Index j = 0; j < i; ++j)
+      if (j == i - 1 || random.one_in(2))
+        sim.join(sim.system.points()[j].id, sim.system.points()[i].id, std::pow(10.0, random.uniform(1.5, 3.0)),
+                 glm::distance(sim.state.position[i], sim.state.position[j]), std::pow(10.0, random.uniform(-1.0, 1.0)));
+  sim.system.colliders = {{.shape = Plane{}, .restitution = random.uniform(0.2, 1.0)}};
+  if (random.one_in(2)) sim.system.colliders.front().friction = random.uniform(0.1, 0.6);
+  return sim;
+}
+
+// even where impacts fall early in a substep, and dashpots act for the rest of it
+TEST(FrameErrorsInDampedContact, TheEstimateIsSeldomLessThanAThirdOfTheError) {
+  const char* seed = std::getenv("HOOKE_SEED");
+  Random random(seed != nullptr ? std::strtoull(seed, nullptr, 10) : 1);
+  std::vector<double> ratios;
+  const Settings settings{.integrator = find_integrator("velocity_verlet"), .substeps = 20};
+  const Settings fine{.integrator = settings.integrator, .substeps = 1000};
+  for (int scene = 0; scene < 20; ++scene) {
+    TestSim sim = damped_fall(random);
+    Plan plan = make_plan(sim.system);
+    FrameRunner stepper;
+    for (int frame = 0; frame < 20; ++frame) {
+      const State after = next_frame(plan, stepper, sim.system, settings, sim.state);
+      const bool has_touched = stepper.has_touched();
+      const double error = distance(after, next_frame(plan, stepper, sim.system, fine, sim.state));
+      if (has_touched && error > 1e-9) ratios.push_back(estimate_frame_error(sim.system, settings, sim.state) / error);
+      sim.state = after;
+    }
+  }
+  std::ranges::sort(ratios);
+  ASSERT_GT(ratios.size(), 100U);
+  EXPECT_GT(ratios[ratios.size() / 20], 1.0 / 3.0);
+  EXPECT_LT(ratios[ratios.size() / 2], 2.2);
 }
 
 TEST_P(FrameErrors, IsZeroWhereNothingMoves) {

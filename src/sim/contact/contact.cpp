@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "base/finite.h"
 #include "sim/forces/bands.h"
 #include "sim/forces/energy/plan_energy.h"
+#include "sim/forces/spring_laws.h"
 #include "sim/forces/spring_limits.h"
 #include "sim/forces/terms/sticking.h"
 #include "sim/plan/phase_times.h"
@@ -38,6 +40,26 @@ double lag_energy(const Plan& plan, const ContactWorkspace& before, const Field&
 // changes on the way. Impulses act at the velocity that belongs to the position (surface_step.cpp).
 double energy_of_limited(const Plan& plan, const ContactWorkspace& before, double h, const Motion& motion) {
   return mechanical_energy(plan, before.time + 0.5 * h, motion) + lag_energy(plan, before, motion.v);
+}
+
+// The impulse of a dashpot is d times the change of its length. Where impacts have changed that, so do the impulses on both ends. The step
+// of a method that does not resolve a dashpot does not see its force either.
+void damp_rebounds(const Plan& plan, std::span<Vec3> rebound, double h, Motion& motion) {
+  if (plan.has_dashpots()) {
+    const double before = kinetic_energy(plan, motion.v), resolved = 1.0 / (1.0 + h * plan.spectrum.dashpot_rate);
+    for_each_spring(plan, [&](Index i, Index j, Index s) {
+      const Vec3 change = rebound[i] - rebound[j];
+      if (change == Vec3(0.0)) return;
+      const Vec3 along = difference_at(plan, motion.x, i, j);
+      const double length = glm::length(along), damping = response_of(plan, s, motion.time, length).damping;
+      if (length == 0.0 || damping == 0.0) return;
+      const Vec3 impulse = resolved * damping * glm::dot(along, change) / (length * length) * along;
+      add_vector(plan, motion.v, i, -plan.inverse_mass_in_contact()[i] * impulse);
+      add_vector(plan, motion.v, j, plan.inverse_mass_in_contact()[j] * impulse);
+    });
+    motion.energy.add(EnergyCause::Dashpots, kinetic_energy(plan, motion.v) - before);
+  }
+  std::ranges::fill(rebound, Vec3(0.0));
 }
 
 // In a fixed order, as eight sums side by side.
@@ -108,6 +130,7 @@ void solve_point(const Plan& plan, Index i, double h, TouchSimulation& simulatio
   touches.first_touch = std::min(touches.first_touch, pushed != Vec3(0.0) ? 0.0 : simulation.first_touch());
   touches.first_impact = std::min(touches.first_impact, simulation.first_impact());
   before.work[i] = path.contact_work();
+  if (path.has_rebounded) before.rebound[i] = path.x - vector_at(plan, motion.x, i);
   set_vector(plan, motion.x, i, path.x);
   set_vector(plan, motion.v, i, path.v - path.velocity_correction);
 }
@@ -160,7 +183,8 @@ bool resolve_points(const Plan& plan, ContactWorkspace& before, Motion& motion, 
 
 // Adds the work of contact in addition to that of the forces, and of pushes out of obstacles.
 bool resolve_all(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, double& work, double& push) {
-  bool touched = plan.pairs.on && before.pairs.resolve(plan, before.obstacles, before.x, before.v, h, motion);
+  before.rebound.resize(static_cast<std::size_t>(plan.points));
+  bool touched = plan.pairs.on && before.pairs.resolve(plan, before.obstacles, before.x, before.v, h, motion, before.rebound);
   if (touched) {
     work += before.pairs.work();
     before.first_touch = before.pairs.first_touch();
@@ -196,6 +220,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   for (int c = 0; c < plan.dimensions; ++c)
     for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
       motion.contact[at] += plan.mass[i] * (motion.v[at] - before.free_v[at]);
+  if (std::isfinite(before.first_impact)) damp_rebounds(plan, before.rebound, h, motion);
   if (before.is_limited) work = energy_of_limited(plan, before, h, motion) - energy - push;
   motion.energy.add(EnergyCause::Colliders, push);
   book_work(work, max_supplied(plan, before, h, motion), motion);

@@ -7,8 +7,7 @@
 
 namespace hooke {
 
-Vec3 without_rounding(const Plan& plan, const Vec3& correction, const Vec3& x, double h) {
-  if (plan.collider_paths.resolving_step == std::numeric_limits<double>::infinity()) return correction;
+Vec3 without_rounding(const Vec3& correction, const Vec3& x, double h) {
   constexpr double units = 4.0;
   const double rounding = units * std::numeric_limits<double>::epsilon() * glm::length(x) / h;
   return glm::length(correction) <= rounding ? Vec3(0.0) : correction;
@@ -24,7 +23,7 @@ std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double 
     obstacle.velocity = plan.velocity_of(c, start);
     obstacle.acceleration = (last - obstacle.velocity) / h;
     const Vec3 correction = (end - obstacle.offset) / h - obstacle.velocity - 0.5 * h * obstacle.acceleration;
-    obstacle.velocity_correction = without_rounding(plan, correction, obstacle.offset, h);
+    obstacle.velocity_correction = without_rounding(correction, obstacle.offset, h);
   }
   return obstacles;
 }

@@ -22,9 +22,9 @@ inline bool moves(const Obstacle& obstacle) { return obstacle.velocity != Vec3(0
 // The plan's colliders in the step of h that starts at `start`.
 std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double h, std::vector<Obstacle>& obstacles);
 
-// The correction [m/s] of a velocity by the difference of two positions about `x`, h [s] apart; zero where it is rounding. Impacts on a
-// collider that oscillates may need steps so short that their difference has lost most of its digits.
-Vec3 without_rounding(const Plan& plan, const Vec3& correction, const Vec3& x, double h);
+// The correction [m/s] of a velocity by the difference of two positions about `x`, h [s] apart; zero where it is rounding. Impacts within a
+// tight tolerance need steps so short that the difference has lost most of its digits.
+Vec3 without_rounding(const Vec3& correction, const Vec3& x, double h);
 
 // [m/s^2], by which drag [1/s] changes in the `left` seconds after a velocity changes: the mean of an exponential decay, to fourth order.
 inline Vec3 change_of_drag(double drag, double left, const Vec3& velocity_change) {

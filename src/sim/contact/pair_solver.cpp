@@ -26,8 +26,8 @@ constexpr long max_excess = 10'000'000;
 
 }  // namespace
 
-bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
-                         Motion& motion) {
+bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion,
+                         std::span<Vec3> rebound) {
   has_failed_ = false;
   near_.clear();
   is_involved_.assign(plan.points, 0);
@@ -58,7 +58,7 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
     return false;
   }
   excess_ += std::max(0L, work - usual_work(plan.points));
-  write(plan, motion);
+  write(plan, motion, rebound);
   return simulation_.any_touched();
 }
 
@@ -169,11 +169,12 @@ bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
-void PairSolver::write(const Plan& plan, Motion& motion) {
+void PairSolver::write(const Plan& plan, Motion& motion, std::span<Vec3> rebound) {
   work_ = 0.0;
   for (const PointPath& path : simulation_.paths) {
     if (!path.is_changed) continue;
     work_ += path.contact_work();
+    if (path.has_rebounded) rebound[path.point] = path.x - vector_at(plan, motion.x, path.point);
     set_vector(plan, motion.x, path.point, path.x);
     set_vector(plan, motion.v, path.point, path.v - path.velocity_correction);
   }

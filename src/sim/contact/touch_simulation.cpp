@@ -70,7 +70,7 @@ void TouchSimulation::add_point(const Plan& plan, Index i, const Vec3& x0, const
   if (path.inverse_mass == 0.0) return;
   const Vec3 change = v1 - v0;
   path.a = path.free_acceleration = change / h;
-  path.velocity_correction = path.free_correction = without_rounding(plan, (x1 - x0) / h - v0 - 0.5 * change, x0, h);
+  path.velocity_correction = path.free_correction = without_rounding((x1 - x0) / h - v0 - 0.5 * change, x0, h);
   path.v += path.velocity_correction;
   path.velocity_change = glm::length(change);
   path.drag = plan.drag;

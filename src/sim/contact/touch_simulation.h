@@ -38,7 +38,8 @@ struct PointPath {
   // work, at the start
   Vec3 start_x{0.0}, start_v{0.0};
   bool is_changed = false;  // by contact
-  bool is_listed = false;   // among the paths of TouchSimulation::changed
+  bool has_rebounded = false;
+  bool is_listed = false;  // among the paths of TouchSimulation::changed
 
   Vec3 position(double t) const { return x + (t - time) * (v + 0.5 * (t - time) * a); }
   Vec3 velocity(double t) const { return v + (t - time) * a; }
@@ -57,6 +58,7 @@ struct PointPath {
       free_acceleration += change;
     }
     v = velocity;
+    has_rebounded = true;
   }
   // [J], of contact so far, in addition to that of the forces: m (v^2 - v0^2) / 2 - m a (x - x0).
   double contact_work() const {
