@@ -40,19 +40,25 @@ std::string without_row(const CheapestRow& cheapest_row, const ProblemRecord& re
   return formatted("not measurable: the reference is uncertain by %.0e", record.reference->uncertainty());
 }
 
-// What half the precision changes.
-std::string gap_text(double gap) { return gap == 0.0 ? "nothing" : formatted("it by %.0e", gap); }
+const char* errors_of(const ReferenceRecord& reference) {
+  return reference.measure == Measure::Observables ? "center of mass, largest strain and energy" : "positions";
+}
 
-std::string describe(const ReferenceRecord& reference) {
-  std::string text;
-  if (reference.measure == Measure::Observables)
-    text += "Errors are those of the center of mass, the largest strain and the energy, because the trajectory is not reproducible. ";
-  append_formatted(text, "Reference: %s at %s; half the precision changes %s. ", reference.method.c_str(), reference.setting.c_str(),
-                   gap_text(reference.own_gap).c_str());
-  append_formatted(text, "%s at %s differs by %.0e; half its precision changes %s. ", reference.other_method.c_str(),
-                   reference.other_setting.c_str(), reference.other_gap, gap_text(reference.other_own_gap).c_str());
-  append_formatted(text, "A perturbation of 1e-10 is amplified %.2g times.", reference.amplification);
-  return text;
+// "2 points, 1 spring"
+std::string size_text(const ProblemRecord& record) {
+  return pluralize(static_cast<std::size_t>(record.points), "point", "points") + ", " +
+         pluralize(static_cast<std::size_t>(record.springs), "spring", "springs");
+}
+
+// A row of the table of references.
+std::string reference_row(const ProblemRecord& record) {
+  std::string row = formatted("| %s | %s, %g s |", record.id.c_str(), size_text(record).c_str(), record.seconds);
+  if (!record.reference) return row + " | none: nothing measured | | | | | |\n";
+  const ReferenceRecord& reference = *record.reference;
+  append_formatted(row, " %s | `%s`, %s | %.0e | `%s`, %s | %.0e | %.0e | %.2g times |\n", errors_of(reference), reference.method.c_str(),
+                   reference.setting.c_str(), reference.own_gap, reference.other_method.c_str(), reference.other_setting.c_str(),
+                   reference.other_gap, reference.other_own_gap, reference.amplification);
+  return row;
 }
 
 // "192 forces", "40 factorizations, 80 solves".
@@ -68,19 +74,14 @@ std::string describe(const WorkCounts& work) {
   return text;
 }
 
-// "2 points, 1 spring"
-std::string size_text(const ProblemRecord& record) {
-  return pluralize(static_cast<std::size_t>(record.points), "point", "points") + ", " +
-         pluralize(static_cast<std::size_t>(record.springs), "spring", "springs");
-}
-
 }  // namespace
 
 std::string report(const ProblemRecord& record) {
   std::string text;
   append_formatted(text, "%s: %s (%s, %g s)\n", record.id.c_str(), record.title.c_str(), size_text(record).c_str(), record.seconds);
   if (!record.reference) return text + "  no reference, nothing measured\n";
-  text += "  " + describe(*record.reference) + "\n";
+  append_formatted(text, "  errors of %s; reference: %s at %s, uncertain by %.0e\n", errors_of(*record.reference),
+                   record.reference->method.c_str(), record.reference->setting.c_str(), record.reference->uncertainty());
   for (const CheapestRow& cheapest_row : cheapest_rows(record))
     if (cheapest_row.row == nullptr)
       append_formatted(text, "  %-14s  %s\n", cheapest_row.decades().c_str(), without_row(cheapest_row, record).c_str());
@@ -92,21 +93,16 @@ std::string report(const ProblemRecord& record) {
 
 std::string markdown_report(const Results& results) {
   const Conditions& conditions = results.conditions;
-  std::string text;
+  std::string text, references;
   append_formatted(text, "Measured %s with hooke %s, %s effort, one thread of: %s. ", results.date.c_str(), conditions.version.c_str(),
                    conditions.effort.c_str(), conditions.machine.c_str());
   text +=
       "Errors are relative to the size of the scene; the cost is in CPU milliseconds per simulated second, the minimum of several runs.\n";
   for (const ProblemRecord& record : results.problems) {
-    append_formatted(text, "\n### %s: %s\n\n%s, %g s. ", record.id.c_str(), record.title.c_str(), size_text(record).c_str(),
-                     record.seconds);
-    if (!record.reference) {
-      text += "No reference: nothing measured.\n";
-      continue;
-    }
-    text += describe(*record.reference) +
-            "\n\n| error at most | cheapest method | cost [ms/s] | setting | error | work |\n"
-            "|---|---|---|---|---|---|\n";
+    references += reference_row(record);
+    if (!record.reference) continue;
+    append_formatted(text, "\n### %s: %s\n\n", record.id.c_str(), record.title.c_str());
+    text += "| error at most | cheapest method | cost [ms/s] | setting | error | work |\n|---|---|---|---|---|---|\n";
     for (const CheapestRow& cheapest_row : cheapest_rows(record))
       if (cheapest_row.row == nullptr)
         append_formatted(text, "| %s | %s | | | | |\n", cheapest_row.decades().c_str(), without_row(cheapest_row, record).c_str());
@@ -115,7 +111,10 @@ std::string markdown_report(const Results& results) {
                          *cheapest_row.row->cpu_ms_per_s, cheapest_row.row->setting.c_str(), *cheapest_row.row->relative_error,
                          describe(cheapest_row.row->work).c_str());
   }
-  return text;
+  return text +
+         "\n### References\n\n| problem | size | errors of | reference | half its precision changes it by | another method | differs by | "
+         "half its precision changes it by | a difference of 1e-10 grows |\n|---|---|---|---|---|---|---|---|---|\n" +
+         references;
 }
 
 }  // namespace hooke

@@ -195,7 +195,8 @@ bool needs_fonts() { return cjk_characters_are_new; }
 std::string missing_font() {
   static bool cjk_is_reported = false, emoji_are_reported = false, font_is_checked = false;
   std::string text;
-  if (!std::exchange(font_is_checked, true) && font_file("DejaVuSans.ttf").empty()) text = "DejaVu Sans is missing: another font is used";
+  if (!std::exchange(font_is_checked, true) && font_file("DejaVuSans.ttf").empty())
+    text = "DejaVu Sans is missing: install the package fonts-dejavu-core";
   if (!cjk_characters.empty() && cjk_font_file().empty() && !std::exchange(cjk_is_reported, true))
     text = "Chinese, Japanese and Korean characters are shown as boxes until the package fonts-noto-cjk is installed";
   if (has_emoji && !std::exchange(emoji_are_reported, true))

@@ -288,14 +288,13 @@ TEST(Bench, RefusesInvalidRequests) {
   EXPECT_EQ(contents(scratch.folder / "bench.json"), "{}");
 }
 
-// What is below the uncertainty of the reference was not missed by the methods, and a reference that half the precision leaves as it is may
-// be wrong for any reason.
+// What is below the uncertainty of the reference was not missed by the methods.
 TEST(Bench, SaysWhatTheReferenceCannotTell) {
   const ScratchFolder scratch;
   ASSERT_EQ(run(scratch.folder, {"--report", DOCS_FOLDER "/evidence/accuracy.json"}), 0);
   const std::string report = contents(scratch.folder / "report");
-  EXPECT_NE(report.find("half the precision changes nothing. "), std::string::npos) << report;
-  EXPECT_NE(report.find("1e-8 .. 1e-10   not measurable: the reference is uncertain by 2e-08\n"), std::string::npos) << report;
+  EXPECT_NE(report.find(", uncertain by "), std::string::npos) << report;
+  EXPECT_NE(report.find("not measurable: the reference is uncertain by "), std::string::npos) << report;
   EXPECT_EQ(report.find("stability"), std::string::npos) << report;
 }
 

@@ -77,7 +77,7 @@ TEST(Sweep, ChartsHaveAtMostEightLinesElseCells) {
   EXPECT_EQ(nine.find("gravity 8"), std::string::npos);
   EXPECT_NE(nine.find("gravity [m/s^2]"), std::string::npos) << "the label of an axis";
   const std::string three = charted("three", {"substeps=1:9:lin:9", "gravity=1:5:lin:5", "damping=0,1"});
-  EXPECT_EQ(three, "no chart: too many combinations of more than two parameters\n");
+  EXPECT_EQ(three, "no chart: too many combinations; vary at most two parameters, or fewer values\n");
 }
 
 // All figures are those of the start; some of the sweeps are of a single value.

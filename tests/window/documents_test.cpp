@@ -124,6 +124,15 @@ TEST(KilledWindow, LosesOnlyTheLastMomentsAndOffersTheRest) {
   }
 }
 
+TEST(Settings, AreDeletedByAnOption) {
+  Desktop desktop;
+  const fs::path settings = desktop.folder() / "config" / "hooke" / "settings.json";
+  write(settings, R"({"autosave_seconds": 77})");
+  const Process program({HOOKE_PROGRAM, "--reset-settings"}, desktop.folder() / "output");
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - Cloth"));
+  EXPECT_EQ(contents(settings).find("77"), std::string::npos);
+}
+
 TEST(TwoWindows, ShareTheClipboard) {
   Desktop desktop;
   ASSERT_TRUE(desktop.is_up());

@@ -17,7 +17,7 @@ void Captures::write_picture(const WantedPicture& wanted, const std::function<Pi
 }
 
 void Captures::start_film(const std::filesystem::path& file, const PictureOptions& options) {
-  if (film_recorder_.is_filming() || film_recorder_.is_writing()) return panels_.show_toast("The previous film is still being written");
+  if (film_recorder_.is_filming() || film_recorder_.is_writing()) return panels_.show_toast("A film is being written: try again later");
   film_recorder_.start_film(file, options);
 }
 

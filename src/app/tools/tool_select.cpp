@@ -246,7 +246,7 @@ class SelectTool : public Tool {
     if (context.is_drag(pressed_at_, pointer.at))
       found = select_with_springs_between(context.system(), points_within(context.snapshot(), context.view_transform(), outline()));
     // a click into empty space is how fields are left and selections are dropped: it needs no message
-    if (found.empty() && context.is_drag(pressed_at_, pointer.at)) context.notice = "There is no point in this area";
+    if (found.empty() && context.is_drag(pressed_at_, pointer.at)) context.notice = "There is no point in this area: drag around a point";
     if (pointer.modifiers.shift)
       context.selection.add(found);
     else

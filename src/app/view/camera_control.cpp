@@ -15,7 +15,7 @@ constexpr double zoom_per_step = 0.88;
 constexpr double flight_seconds = 0.5;
 constexpr double turn_per_height = 3.14159265358979323846;  // [rad], for a drag over the height of the view
 
-constexpr const char* flat_only_from_front = "A flat scene is always viewed from the front";
+constexpr const char* flat_only_from_front = "A flat scene is always viewed from the front: set Dimensions to 3-D to turn it";
 
 }  // namespace
 

@@ -85,7 +85,7 @@ struct EngineOutput {
   std::string cause_in_motion() const {
     if (error.find("Non-numeric") != std::string::npos || error.find("Lost atoms") != std::string::npos) return "the motion diverged";
     const bool is_spring = error.find("Bond atom") != std::string::npos && error.find("missing") != std::string::npos;
-    return is_spring ? "the motion diverged, or a spring became longer than twice its length at rest or at the start" : "";
+    return is_spring ? "the motion diverged, or a spring became longer than twice its length: use more substeps" : "";
   }
 };
 

@@ -48,7 +48,7 @@ SweepResults merge_sweeps(const std::vector<std::filesystem::path>& parts, const
 
 std::optional<std::string> draw_sweep_charts(const SweepResults& results, const std::filesystem::path& folder) {
   const std::optional<GnuplotChart> chart = sweep_chart(results.sweep, results.rows);
-  if (!chart) return "no chart: too many combinations of more than two parameters";
+  if (!chart) return "no chart: too many combinations; vary at most two parameters, or fewer values";
   for (const char* file : {"sweep.svg", "sweep.png"})
     if (std::optional<std::string> failure = draw_chart(*chart, folder / file)) return failure;
   return std::nullopt;
