@@ -150,11 +150,11 @@ GLuint GpuScene::program_of(std::string_view pass) {
   if (known != 0) return known;
   const auto source_of = [](std::string_view name) { return std::ranges::find(compute_sources(), name, &ComputeSource::name)->text; };
   // sweeps take the place of dashpots, but not after impacts
-  const bool is_rebound = pass == "rebound.comp";
-  const std::string of_rebounds = is_rebound ? "#undef DASHPOTS\n#define DASHPOTS 1\n" : "";
-  const std::string springs(is_rebound || pass == "move.comp" ? source_of("springs.glsl") : "");
+  const bool is_impact = pass == "impact.comp";
+  const std::string of_impacts = is_impact ? "#undef DASHPOTS\n#define DASHPOTS 1\n" : "";
+  const std::string springs(is_impact || pass == "move.comp" ? source_of("springs.glsl") : "");
   const std::string text =
-      "#version 430\n" + definitions_ + of_rebounds + std::string(source_of("common.glsl")) + springs + std::string(source_of(pass));
+      "#version 430\n" + definitions_ + of_impacts + std::string(source_of("common.glsl")) + springs + std::string(source_of(pass));
   const char* source = text.c_str();
   const GLuint shader = gl_->CreateShader(GL_COMPUTE_SHADER), program = gl_->CreateProgram();
   gl_->ShaderSource(shader, 1, &source, nullptr);
@@ -225,7 +225,7 @@ void GpuScene::run_one_by_one(const FrameSteps& steps) {
     if (!sweeps_.begin.empty()) sweep(false);
     if (!plan_->colliders.empty()) run("contact.comp", plan_->points, start_, state_, {.substep = k});
     if (!plan_->colliders.empty() && plan_->has_dashpots())
-      run("rebound.comp", plan_->points, state_, state_, {.acts_predicted = true, .substep = k});
+      run("impact.comp", plan_->points, state_, state_, {.acts_predicted = true, .substep = k});
     if (!plan_->spring.break_length.empty()) run("breaks.comp", plan_->springs, state_, start_, {.substep = k});
   }
 }

@@ -1,6 +1,8 @@
 // Contact of faces: nothing passes through, by a count that shares no code with it (support/crossings.h); conservation, friction, rest.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 
 #include "sim/contact/gap.h"
@@ -48,9 +50,13 @@ TEST(SurfaceContact, LetsNoClothPassThroughItselfOrAnother) {
   }
 }
 
-// Three sheets are thrown onto each other above a floor, a ball and a box, in long steps.
+// Three sheets are thrown onto each other above a floor, a ball and a box, in long steps, until a step too long makes them unstable.
+// HOOKE_SEED sets the first scene.
 TEST(SurfaceContact, PressesNothingIntoColliders) {
-  for (std::uint64_t seed = 0; seed < 15; ++seed) {
+  constexpr double unstable = 100.0;  // [m/s], of sheets at 5 m/s
+  const char* given = std::getenv("HOOKE_SEED");
+  const std::uint64_t first = given != nullptr ? std::strtoull(given, nullptr, 10) : 0;
+  for (std::uint64_t seed = first; seed < first + 15; ++seed) {
     Random random(seed);
     TestSim sim;
     for (int s = 0; s < 3; ++s) {
@@ -70,6 +76,7 @@ TEST(SurfaceContact, PressesNothingIntoColliders) {
     long crossings = 0;
     for (int i = 0; i < 20; ++i) {
       sim.run(method, frame, 2);
+      if (std::ranges::any_of(sim.state.velocity, [](const Vec3& v) { return glm::length(v) > unstable; })) break;
       crossings = std::max(crossings, counter.count(sim.state.position));
       for (const Vec3& x : sim.state.position)
         for (const Collider& collider : sim.system.colliders) depth = std::max(depth, -gap_to(collider, 0.0, x).distance);

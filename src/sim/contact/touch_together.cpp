@@ -84,6 +84,7 @@ void TouchSimulation::respond() {
   for (const std::size_t t : together_)
     for (const std::size_t p : {touches[t].first, touches[t].second}) {
       paths[p].advance(time_);
+      paths[p].stays = false;
       velocity_[p] = paths[p].v;
       fastest = std::max(fastest, glm::length(paths[p].v));
     }
@@ -99,6 +100,7 @@ void TouchSimulation::respond() {
     }
     for (const std::size_t p : {touch.first, touch.second}) {
       if (paths[p].inverse_mass != 0.0) paths[p].rebound(velocity_[p], h_);
+      paths[p].stays = paths[p].stays || !touch.rebounds;
       change(p);
     }
   }
