@@ -6,6 +6,8 @@
 #include "app/document/files.h"
 #include "base/folder_listing.h"
 #include "base/printable.h"
+#include "base/text_lines.h"
+#include "scene/step_advice.h"
 
 namespace hooke {
 namespace {
@@ -98,6 +100,7 @@ void Document::answer(Answer given) {
 
 void Document::replace(std::shared_ptr<const Scene> scene, std::filesystem::path file, bool unsaved) {
   panels_.banners.file_warnings.clear();
+  settings_warnings_.reset();
   file_ = std::move(file);
   show_(*scene);
   context_.lab.submit(Open{std::move(scene), unsaved});
@@ -123,12 +126,34 @@ void Document::begin() {
 
 void Document::poll() {
   report_replay_difference();
+  follow_settings_warnings();
   const double now = seconds_now();
   autosave_.follow(status(), context_.lab, now, add_view_settings());
   if (const std::string error_text = autosave_.take_error(); !error_text.empty())
     panels_.banners.file_warnings = "Autosave failed: " + error_text;
   if (const auto change = watch_.check_at(now)) report_change(*change);
   poll_system_dialog();
+}
+
+// What the opened file is warned about stays only for as long as it is true.
+void Document::follow_settings_warnings() {
+  std::string& shown = panels_.banners.file_warnings;
+  const long edits = status().history.edits;
+  if (shown.empty() || (settings_warnings_ && settings_warnings_->first == edits)) return;
+  const Snapshot& now = *status().snapshot;
+  std::vector<std::string> warnings = settings_warnings(*now.system, now.state, now.settings), lines;
+  const auto is_listed = [](const std::vector<std::string>& list, std::string_view line) {
+    return std::ranges::find(list, line) != list.end();
+  };
+  bool was_any = false;
+  for (const std::string_view line : split(shown, '\n')) {
+    const bool is_of_settings = settings_warnings_ && is_listed(settings_warnings_->second, line);
+    was_any = was_any || is_of_settings;
+    if (!is_of_settings) lines.emplace_back(line);
+  }
+  if (was_any) lines.insert(lines.end(), warnings.begin(), warnings.end());
+  shown = joined(lines);
+  settings_warnings_ = {edits, std::move(warnings)};
 }
 
 void Document::report_replay_difference() {
