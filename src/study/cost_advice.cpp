@@ -19,9 +19,7 @@ namespace hooke {
 namespace {
 
 // A method that happens to be accurate now may not be a moment later: the frames that follow the present state and two later ones count.
-constexpr int frame_count = 4;
-constexpr int frames_apart = 15;
-constexpr int start_count = 3;
+constexpr int frame_count = 4, frames_apart = 15, start_count = 3;
 
 class Frames {
  public:
@@ -33,7 +31,7 @@ class Frames {
     while (starts_.size() < start_count) {
       State state = starts_.back();
       for (int frame = 0; frame < frames_apart; ++frame)
-        if (!compute_frame(settings, state, [] { return true; })) return false;
+        if (!compute_frame(settings, state, HUGE_VAL)) return false;
       starts_.push_back(std::move(state));
     }
     return true;
@@ -53,15 +51,13 @@ class Frames {
       result.positions.clear();
       refresh_values(plan_, system_);
       const double start = thread_cpu_seconds();
-      const auto is_in_time = [&] { return is_first || thread_cpu_seconds() - start <= max_seconds; };
       for (State state : starts_)
         for (int frame = 0; frame < frame_count; ++frame) {
-          if (!compute_frame(settings, state, is_in_time)) return std::nullopt;
+          if (!compute_frame(settings, state, is_first ? HUGE_VAL : start + max_seconds)) return std::nullopt;
           result.positions.push_back(state.position);
         }
       result.seconds = thread_cpu_seconds() - start;
     }
-    if (result.seconds > max_seconds) return std::nullopt;
     return result;
   }
 
@@ -75,12 +71,12 @@ class Frames {
   }
 
  private:
-  template <class ShouldContinue>
-  bool compute_frame(const Settings& settings, State& state, const ShouldContinue& should_continue) {
+  // `end`: of the CPU time of this thread [s].
+  bool compute_frame(const Settings& settings, State& state, double end) {
     frame_.begin(plan_, system_, settings, state);
     while (!frame_.done()) {
       frame_.substep(plan_);
-      if (stop_ || !should_continue()) return false;
+      if (stop_ || (std::isfinite(end) && thread_cpu_seconds() > end)) return false;
     }
     frame_.end(plan_, state);
     return frame_.failure() == StepFailure::None && is_finite(state);

@@ -100,7 +100,7 @@ void Document::answer(Answer given) {
 
 void Document::replace(std::shared_ptr<const Scene> scene, std::filesystem::path file, bool unsaved) {
   panels_.banners.file_warnings.clear();
-  settings_warnings_.reset();
+  settings_warnings_ = {-1, {}};
   file_ = std::move(file);
   show_(*scene);
   context_.lab.submit(Open{std::move(scene), unsaved});
@@ -139,19 +139,13 @@ void Document::poll() {
 void Document::follow_settings_warnings() {
   std::string& shown = panels_.banners.file_warnings;
   const long edits = status().history.edits;
-  if (shown.empty() || (settings_warnings_ && settings_warnings_->first == edits)) return;
+  if (shown.empty() || settings_warnings_.first == edits) return;
   const Snapshot& now = *status().snapshot;
   std::vector<std::string> warnings = settings_warnings(*now.system, now.state, now.settings), lines;
-  const auto is_listed = [](const std::vector<std::string>& list, std::string_view line) {
-    return std::ranges::find(list, line) != list.end();
-  };
-  bool was_any = false;
-  for (const std::string_view line : split(shown, '\n')) {
-    const bool is_of_settings = settings_warnings_ && is_listed(settings_warnings_->second, line);
-    was_any = was_any || is_of_settings;
-    if (!is_of_settings) lines.emplace_back(line);
-  }
-  if (was_any) lines.insert(lines.end(), warnings.begin(), warnings.end());
+  const std::vector<std::string_view> all = split(shown, '\n');
+  for (const std::string_view line : all)
+    if (std::ranges::count(settings_warnings_.second, line) == 0) lines.emplace_back(line);
+  if (lines.size() < all.size()) lines.insert(lines.end(), warnings.begin(), warnings.end());
   shown = joined(lines);
   settings_warnings_ = {edits, std::move(warnings)};
 }

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -111,8 +110,8 @@ class Document {
   FileWatch watch_;
   SystemDialog system_dialog_;
   std::string reported_difference_;
-  // The warnings about the settings of the scene, as it is after so many edits; none before they are known.
-  std::optional<std::pair<long, std::vector<std::string>>> settings_warnings_;
+  // The warnings about the settings of the scene, as it is after so many edits; -1: they are not known yet.
+  std::pair<long, std::vector<std::string>> settings_warnings_{-1, {}};
   std::vector<RecoverableScene> recoverable_;
   std::vector<RecoveryEntry> recovery_entries_;  // the same, for the panels
 };

@@ -68,9 +68,9 @@ void step_remark(const Snapshot& snapshot) {
     short_text = text + " (" + percent + ")";
     text += ", " + percent + " of the limit";
   } else {
-    const std::string value = number_text(snapshot.omega * limit, 3) + ")";
-    if (snapshot.is_limited_by_contact) short_text = text + " (contact " + value;
-    text += (snapshot.is_limited_by_contact ? " (contact limit " : " (limit ") + value;
+    const std::string value = number_text(snapshot.omega * limit, 3) + ")", contact = snapshot.is_limited_by_contact ? "contact " : "";
+    short_text = text + " (" + contact + value;
+    text += " (" + contact + "limit " + value;
   }
   const std::string method = snapshot.settings.integrator->short_name();
   std::string description = "Highest angular frequency of the scene times the step. The simulation can blow up beyond the limit of " +
