@@ -207,14 +207,10 @@ struct View::Parts {
     points.draw(impostor_shader, width, height, context.options.scale);
   }
 
-  // Transparent objects and marks.
+  // Transparent floors and marks.
   void draw_over(const DrawContext& context) {
     const int width = context.projection.width(), height = context.projection.height();
     glDepthMask(GL_FALSE);
-    glEnable(GL_CULL_FACE);
-    environment.transparent_solids.draw(surface_shader);
-    glDisable(GL_CULL_FACE);
-    environment.transparent_balls.draw(ball_shader, context.projection, context.camera.pole, context.palette.shadow);
     environment.transparent_floors.draw(ground_shader);
 
     // Rings and previews are visible through everything.

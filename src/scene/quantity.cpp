@@ -250,10 +250,10 @@ std::string csv_row(std::span<const Quantity> quantities, const System& system, 
   return line + "\n";
 }
 
-std::string quantity_names(bool with_accuracy) {
+std::string quantity_names(bool with_accuracy, bool with_spatial) {
   std::string names;
   for (const QuantityRow& row : rows) {
-    if (row.needs_accuracy && !with_accuracy) continue;
+    if ((row.needs_accuracy && !with_accuracy) || (row.is_spatial() && !with_spatial)) continue;
     names += (names.empty() ? "" : ", ") + std::string(row.name) +
              (row.of == Of::Scene   ? ""
               : row.of == Of::Point ? "<point>"

@@ -31,6 +31,9 @@ struct QuantityRow {
   std::string_view description;
   double (*read)(const Measurement& measurement, Index at);  // NaN: not known
   bool needs_accuracy = false;                               // of Measurement
+
+  // Along z, or about x and y: constant in a flat scene.
+  bool is_spatial() const { return name.ends_with("z") != name.starts_with("angular_"); }
 };
 std::span<const QuantityRow> quantity_rows();
 
@@ -58,7 +61,7 @@ std::string parse_quantities(std::string_view list, Index points, Index springs,
 std::string csv_heading(std::span<const Quantity> quantities);
 std::string csv_row(std::span<const Quantity> quantities, const System& system, const State& state, const Accuracy* accuracy = nullptr);
 
-// "time, kinetic, ..., x<point>, ...": the names, for messages, with or without those of the accuracy.
-std::string quantity_names(bool with_accuracy = true);
+// "time, kinetic, ..., x<point>, ...": the names, for messages, with or without those of the accuracy and those of spatial scenes.
+std::string quantity_names(bool with_accuracy = true, bool with_spatial = true);
 
 }  // namespace hooke

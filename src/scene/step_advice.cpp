@@ -118,6 +118,14 @@ std::optional<std::string> unused_setting_warning(const Settings& settings) {
   return std::nullopt;
 }
 
+std::vector<std::string> settings_warnings(const System& system, const State& state, const Settings& settings) {
+  std::vector<std::string> warnings;
+  for (const auto& warning :
+       {unused_setting_warning(settings), step_warning(system, state, settings), oscillation_warning(system, settings)})
+    if (warning) warnings.push_back(*warning);
+  return warnings;
+}
+
 std::string describe(const Advice& advice) {
   return std::string(advice.integrator->label) + " with " + count_substeps(advice.substeps) + " per frame";
 }

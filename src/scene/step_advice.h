@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/methods/step_limits.h"
 #include "sim/model/settings.h"
@@ -30,6 +31,9 @@ std::optional<std::string> oscillation_warning(const System& system, const Setti
 
 // A warning about a tolerance or a budget that the method does not use: "FIELD: VALUE: ...".
 std::optional<std::string> unused_setting_warning(const Settings& settings);
+
+// All of these.
+std::vector<std::string> settings_warnings(const System& system, const State& state, const Settings& settings);
 
 // "Velocity Verlet with 80 substeps per frame"
 std::string describe(const Advice& advice);

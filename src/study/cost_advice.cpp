@@ -1,6 +1,7 @@
 #include "study/cost_advice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/number_text.h"
@@ -17,56 +18,72 @@
 namespace hooke {
 namespace {
 
-constexpr int frame_count = 4;
-constexpr int repeats = 2;  // of which the shorter counts
+// A method that happens to be accurate now may not be a moment later: the frames that follow the present state and two later ones count.
+constexpr int frame_count = 4, frames_apart = 15, start_count = 3;
 
 class Frames {
  public:
   Frames(const System& system, const State& state, const std::atomic<bool>& stop)
-      : system_(system), state_(state), plan_(make_plan(system)), stop_(stop) {}
+      : system_(system), starts_{state}, plan_(make_plan(system)), stop_(stop) {}
+
+  // Adds the later states that a run with these settings reaches; false if it fails or is stopped.
+  bool add_starts(const Settings& settings) {
+    while (starts_.size() < start_count) {
+      State state = starts_.back();
+      for (int frame = 0; frame < frames_apart; ++frame)
+        if (!compute_frame(settings, state, HUGE_VAL)) return false;
+      starts_.push_back(std::move(state));
+    }
+    return true;
+  }
 
   const Plan& plan() const { return plan_; }
 
   struct Result {
-    std::vector<std::vector<Vec3>> positions;  // [m], at the ends of the frames
+    std::vector<std::vector<Vec3>> positions;  // [m], at the ends of the frames, start by start
     double seconds = 0.0;                      // of CPU time
   };
   // None if a frame fails, or if they take longer than `max_seconds` of CPU time, or are stopped.
   std::optional<Result> compute(const Settings& settings, double max_seconds = HUGE_VAL) {
-    Result result{.positions = {}, .seconds = HUGE_VAL};
+    Result result;
     // the first time includes the analysis of the matrix that later frames share
-    for (int time = 0; time <= repeats; ++time) {
+    for (const bool is_first : {true, false}) {
       result.positions.clear();
       refresh_values(plan_, system_);
-      State state = state_;
       const double start = thread_cpu_seconds();
-      for (int frame = 0; frame < frame_count; ++frame) {
-        frame_.begin(plan_, system_, settings, state);
-        while (!frame_.done()) {
-          frame_.substep(plan_);
-          if (stop_ || (time > 0 && thread_cpu_seconds() - start > 1.5 * max_seconds)) return std::nullopt;
+      for (State state : starts_)
+        for (int frame = 0; frame < frame_count; ++frame) {
+          if (!compute_frame(settings, state, is_first ? HUGE_VAL : start + max_seconds)) return std::nullopt;
+          result.positions.push_back(state.position);
         }
-        frame_.end(plan_, state);
-        if (frame_.failure() != StepFailure::None || !is_finite(state)) return std::nullopt;
-        result.positions.push_back(state.position);
-      }
-      if (time > 0) result.seconds = std::min(result.seconds, thread_cpu_seconds() - start);
+      result.seconds = thread_cpu_seconds() - start;
     }
-    if (result.seconds > max_seconds) return std::nullopt;
     return result;
   }
 
-  // [m], the largest distance at the end of a frame.
-  double distance(const Result& one, const Result& other) const {
-    double largest = 0.0;
+  // [m], for each start the largest distance at the end of a frame.
+  std::array<double, start_count> distances(const Result& one, const Result& other) const {
+    std::array<double, start_count> largest{};
     for (std::size_t f = 0; f < one.positions.size(); ++f)
-      largest = std::max(largest, weighted_distance(system_, one.positions[f], other.positions[f], 1.0).rms);
+      largest[f / frame_count] =
+          std::max(largest[f / frame_count], weighted_distance(system_, one.positions[f], other.positions[f], 1.0).rms);
     return largest;
   }
 
  private:
+  // `end`: of the CPU time of this thread [s].
+  bool compute_frame(const Settings& settings, State& state, double end) {
+    frame_.begin(plan_, system_, settings, state);
+    while (!frame_.done()) {
+      frame_.substep(plan_);
+      if (stop_ || (std::isfinite(end) && thread_cpu_seconds() > end)) return false;
+    }
+    frame_.end(plan_, state);
+    return frame_.failure() == StepFailure::None && is_finite(state);
+  }
+
   const System& system_;
-  const State& state_;
+  std::vector<State> starts_;
   Plan plan_;
   FrameRunner frame_;
   const std::atomic<bool>& stop_;
@@ -91,12 +108,15 @@ Settings exact(const System& system, const Settings& settings, const Plan& plan)
 class Search {
  public:
   Search(Frames& frames, const Settings& settings, const Frames::Result& reference, const Frames::Result& present)
-      : frames_(frames), settings_(settings), reference_(reference), present_(present), error_(frames.distance(present, reference)) {}
+      : frames_(frames), settings_(settings), reference_(reference), present_(present), errors_(frames.distances(present, reference)) {}
 
   std::optional<TestedCost> test(const Settings& settings, double max_cost) {
     const auto result = frames_.compute(settings, max_cost * present_.seconds);
     if (!result) return std::nullopt;
-    return TestedCost{settings, frames_.distance(*result, reference_) / error_, result->seconds / present_.seconds};
+    const auto errors = frames_.distances(*result, reference_);
+    double error = 0.0;
+    for (std::size_t start = 0; start < errors.size(); ++start) error = std::max(error, errors[start] / errors_[start]);
+    return TestedCost{settings, error, result->seconds / present_.seconds};
   }
 
   // The present method with a finer step or a smaller tolerance.
@@ -141,7 +161,7 @@ class Search {
   Frames& frames_;
   const Settings& settings_;
   const Frames::Result &reference_, &present_;
-  const double error_;  // [m], of the present settings
+  const std::array<double, start_count> errors_;  // [m], of the present settings
 };
 
 }  // namespace
@@ -150,9 +170,10 @@ CostAdvice advise_on_cost(const System& system, const State& state, const Settin
   CostAdvice advice;
   if (system.point_count() == 0) return advice;
   Frames frames(system, state, stop);
+  if (!frames.add_starts(settings)) return advice;
   const auto reference = frames.compute(exact(system, settings, frames.plan())), present = frames.compute(settings);
   constexpr double round_off = 1e-14;  // [m]
-  if (!reference || !present || !(frames.distance(*present, *reference) > round_off)) return advice;
+  if (!reference || !present || !(std::ranges::min(frames.distances(*present, *reference)) > round_off)) return advice;
 
   Search search(frames, settings, *reference, *present);
   advice.half_error = search.half_error();

@@ -56,6 +56,16 @@ TEST(Export, TheDialogOffersEveryFormatAndSetsTheExtension) {
   EXPECT_FALSE(gui.app().panels().export_state.is_shown);
 }
 
+TEST(Export, OffersNoQuantitiesAlongZForAFlatScene) {
+  for (const auto& [scene, is_flat] : {std::pair{"two_masses", true}, std::pair{"trampoline", false}}) {
+    Export csv(scene, ".csv");
+    const std::string words = csv.gui().text();
+    EXPECT_NE(words.find("angular_z"), std::string::npos);
+    for (const char* name : {"momentum_z", "angular_x", "center_z"})
+      EXPECT_EQ(words.find(name) == std::string::npos, is_flat) << scene << " " << name;
+  }
+}
+
 TEST(Export, MeshesContainTheSurface) {
   Export obj("trampoline", ".obj");
   obj.run();

@@ -9,6 +9,7 @@
 #include "app/document/files.h"
 #include "formats/scene_file.h"
 #include "lab/recording.h"
+#include "scene/parameters.h"
 #include "support/document_fixture.h"
 #include "support/gui_fixture.h"
 #include "support/scratch_folder.h"
@@ -91,6 +92,28 @@ TEST(OpeningNotice, OfAnotherSceneWarnsWithoutThePathOfItsFile) {
   const std::string& notice = gui.app().panels().banners.file_warnings;
   EXPECT_NE(notice.find("colour"), std::string::npos);
   EXPECT_EQ(notice.find(fixture.folder.string()), std::string::npos) << notice;
+}
+
+TEST(OpeningNotice, OfTheSettingsStaysUntilTheyAreChangedAccordingly) {
+  const DocumentFixture fixture;
+  DocumentFixture::write(fixture.folder / "stiff.json", R"({"hooke": 1, "colour": 3, "points": [{"position": [0, 0, 0], "nailed": true},
+    {"position": [1, 0, 0]}], "springs": [{"points": [0, 1], "stiffness": 1e6}],
+    "simulation": {"integrator": "velocity_verlet", "frame_rate": 60, "substeps": 4}})");
+  GuiFixture gui = fixture.open();
+  gui.app().document().open(fixture.folder / "stiff.json");
+  gui.frames(2);
+  const std::string& notice = gui.app().panels().banners.file_warnings;
+  const auto set_substeps = [&](double substeps) {
+    gui.app().handle(Request(Edit{SetParameter{find_parameter("substeps"), substeps}}));
+    gui.frames(2);
+  };
+  EXPECT_NE(notice.find("substeps: 4: may be too few"), std::string::npos) << notice;
+  set_substeps(5);
+  EXPECT_NE(notice.find("substeps: 5: may be too few"), std::string::npos) << notice;
+  EXPECT_EQ(notice.find("substeps: 4"), std::string::npos) << notice;
+  set_substeps(100);
+  EXPECT_EQ(notice.find("substeps"), std::string::npos) << notice;
+  EXPECT_NE(notice.find("colour"), std::string::npos) << notice;
 }
 
 }  // namespace

@@ -292,6 +292,32 @@ TEST(AccuracyMeter, AfterAnEditTheErrorIsUnknownUntilTheNextMeasurement) {
   EXPECT_TRUE(lab.accuracy().accumulated.value);
 }
 
+// Without idle time too, nothing that was measured before an edit is shown after it.
+TEST(AccuracyMeter, NoErrorOfBeforeAnEditIsShownAfterIt) {
+  const TestSim sim = net(8, 1e2, 0.0);
+  Lab lab(scene_of(sim, {}));
+  lab.submit(Control(SetRunning{true}));
+  const auto run_until_known = [&] {
+    int frames = 0;
+    while (!lab.accuracy().frame.value && frames < 60) {
+      lab.advance(1.0 / 60.0, [] { return true; });
+      ++frames;
+    }
+    return frames;
+  };
+  EXPECT_LE(run_until_known(), 12);
+  const PointId held = sim.system.points()[30].id;
+  for (const Command& edit : {Command(GrabPoint{GrabPoint::Item{.point = held, .target = sim.position(held)}}), Command(ReleaseHand{}),
+                              Command(SetParameter{find_parameter("stiffness"), 150.0})}) {
+    const double before = lab.scene().state.time;
+    lab.submit(edit);
+    lab.advance(1.0 / 60.0, [] { return true; });
+    EXPECT_TRUE(!lab.accuracy().frame.value || lab.accuracy().frame_time > before);
+    EXPECT_LE(run_until_known(), 12);
+    EXPECT_GT(lab.accuracy().frame_time, before);
+  }
+}
+
 // A window that has no idle time: a frame is repeated beside the ones that follow.
 TEST(AccuracyMeter, WhereSomethingHitsTheErrorOfThatFrameIsKnownSoon) {
   TestSim sim;

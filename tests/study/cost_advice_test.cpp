@@ -66,7 +66,7 @@ Frames run_frames(const TestSim& sim, const Settings& settings) {
   return result;
 }
 
-// Whatever is advised holds in a run of its own: the error as measured, and the order of the cost.
+// Whatever is advised holds in a run of its own: the error is at most as measured, and the order of the cost.
 // HOOKE_SEED tries other scenes.
 TEST(CostAdvice, HoldsOnFiftyRandomScenes) {
   const char* given = std::getenv("HOOKE_SEED");
@@ -75,7 +75,8 @@ TEST(CostAdvice, HoldsOnFiftyRandomScenes) {
   for (std::uint64_t seed = first; seed < first + 50; ++seed) {
     Random random(seed);
     TestSim sim = random_sim(seed, 3 + random.below(8), 4 + random.below(12));
-    const char* const methods[] = {"symplectic_euler", "velocity_verlet", "runge_kutta4", "implicit_midpoint", "dop853"};
+    const char* const methods[] = {"symplectic_euler", "velocity_verlet", "runge_kutta4", "implicit_midpoint", "baraff_witkin", "xpbd",
+                                   "tr_bdf2",          "dop853"};
     Settings present{.integrator = find_integrator(random.one_of(methods)), .substeps = 4 + static_cast<int>(random.below(60))};
     const CostAdvice advice = advise_on_cost(sim.system, sim.state, present, std::atomic<bool>(false));
     const Frames now = run_frames(sim, present);
@@ -84,7 +85,7 @@ TEST(CostAdvice, HoldsOnFiftyRandomScenes) {
       ++advised;
       const std::string name = std::to_string(seed) + " " + std::string(present.integrator->id) + ": " + describe(*tested, present);
       const Frames then = run_frames(sim, tested->settings);
-      EXPECT_NEAR(then.error, tested->error * now.error, 0.02 * now.error + 1e-13) << name;
+      EXPECT_LE(then.error, (tested->error + 0.02) * now.error + 1e-13) << name;
     }
     if (advice.half_error) {
       EXPECT_LE(advice.half_error->error, 0.5) << seed;
@@ -100,6 +101,38 @@ TEST(CostAdvice, HoldsOnFiftyRandomScenes) {
     }
   }
   EXPECT_GE(advised, 50);
+}
+
+// Also where the rope has moved on before the advice is taken.
+TEST(CostAdvice, HoldsInStiffRopes) {
+  int advised = 0;
+  for (const double stiffness : {1e3, 1e5, 1e6})
+    for (const int substeps : {1, 4, 16}) {
+      TestSim rope;
+      PointId last = rope.nail(Vec3(0.0));
+      for (int i = 1; i <= 24; ++i) {
+        const PointId next = rope.add({0.05 * i, 0.01 * i, 0.0}, 0.02);
+        rope.join(last, next, stiffness, 0.05);
+        last = next;
+      }
+      const Settings present{.integrator = find_integrator("baraff_witkin"), .substeps = substeps};
+      const auto go_on = [&](int frames) {
+        for (int frame = 0; frame < frames; ++frame) rope.run(*present.integrator, 1.0 / 60.0, substeps);
+      };
+      go_on(20);
+      const CostAdvice advice = advise_on_cost(rope.system, rope.state, present, std::atomic<bool>(false));
+      for (int later = 0; later < 3; ++later, go_on(20)) {
+        const Frames now = run_frames(rope, present);
+        for (const auto& tested : {advice.half_error, advice.cheaper, advice.better}) {
+          if (!tested) continue;
+          ++advised;
+          const double most = (later == 0 ? 1.02 : 1.5) * std::max(tested->error, 0.02);
+          EXPECT_LT(run_frames(rope, tested->settings).error / now.error, most)
+              << stiffness << " " << substeps << " " << describe(*tested, present) << " later " << later;
+        }
+      }
+    }
+  EXPECT_GE(advised, 30);
 }
 
 TEST(CostAdvice, SuggestsAFarMoreAccurateMethodForTheSameTime) {

@@ -131,7 +131,7 @@ TEST(Banner, UndoesTheLastStepAndShowsWhereItFailed) {
   run_and_stiffen(gui);
   words_with_remedy(gui);
   gui.frames(3);
-  gui.click(gui.find("stopped", {"###show"}));
+  gui.click(find_small_button(gui, "###show"));
   EXPECT_FALSE(gui.app().selection().empty());
   EXPECT_TRUE(gui.app().marks().failed_point || gui.app().marks().failed_spring);
   // the camera flies there

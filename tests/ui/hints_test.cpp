@@ -37,6 +37,23 @@ TEST(Stability, TheRecommendationFitsInANarrowPanel) {
   EXPECT_NE(words.find("(4\u00d7)", at), std::string::npos) << words;
 }
 
+TEST(Stability, TheLimitOfContactFitsInThePanel) {
+  Scene scene = two_springs();
+  for (Index s = 0; s < 2; ++s) scene.system.spring(s)->stiffness = 1e8;
+  scene.system.colliders = {{.shape = Plane{.point = {0.0, -5.0, 0.0}}}};
+  scene.settings.integrator = find_integrator("implicit_euler");
+  for (const int substeps : {900, 4000}) {
+    scene.settings.substeps = substeps;
+    GuiFixture gui(scene);
+    const std::string words = all_letters(*ImGui::GetDrawData());
+    const std::size_t at = words.find("\u03c9h=");
+    ASSERT_NE(at, std::string::npos) << words;
+    const std::size_t end = words.find(')', at);
+    EXPECT_LT(end - at, 40u) << words.substr(at, 60);
+    EXPECT_EQ(words.substr(at, end - at).find("..."), std::string::npos) << words.substr(at, 60);
+  }
+}
+
 TEST(Predictions, AreShownBelowTheSlidersAndFollowThem) {
   // a mass of 1 kg on a spring of 100 N/m below a nail
   TestSim sim;

@@ -108,6 +108,17 @@ TEST(Legend, ShowsTheStrainsOfItsColors) {
   EXPECT_EQ(gui.text().find("+0.01 %"), std::string::npos);
 }
 
+TEST(Legend, ShowsTheRangeOfSpringsThatAreAllCompressedOrAllStretched) {
+  TestSim sim;
+  const PointId a = sim.nail({-0.5, 0.0, 0.0}), b = sim.nail({0.0, 0.0, 0.0}), c = sim.nail({0.5, 0.0, 0.0});
+  sim.join(a, b, 100.0, 1.0);
+  sim.join(b, c, 100.0, 2.0);
+  EXPECT_NE(GuiFixture(flat_scene("Compressed", sim)).text().find("-75 % to -50 %"), std::string::npos);
+  sim.system.spring(0)->rest_length = 0.25;
+  sim.system.spring(1)->rest_length = 0.4;
+  EXPECT_NE(GuiFixture(flat_scene("Stretched", sim)).text().find("+25 % to +100 %"), std::string::npos);
+}
+
 TEST(Legend, ShowsNoRoundOff) {
   Scene scene = two_springs();
   scene.state.position[2].x = 0.5 + 1e-16;

@@ -6,6 +6,8 @@
 #include "app/document/files.h"
 #include "base/folder_listing.h"
 #include "base/printable.h"
+#include "base/text_lines.h"
+#include "scene/step_advice.h"
 
 namespace hooke {
 namespace {
@@ -98,6 +100,7 @@ void Document::answer(Answer given) {
 
 void Document::replace(std::shared_ptr<const Scene> scene, std::filesystem::path file, bool unsaved) {
   panels_.banners.file_warnings.clear();
+  settings_warnings_ = {-1, {}};
   file_ = std::move(file);
   show_(*scene);
   context_.lab.submit(Open{std::move(scene), unsaved});
@@ -123,12 +126,28 @@ void Document::begin() {
 
 void Document::poll() {
   report_replay_difference();
+  follow_settings_warnings();
   const double now = seconds_now();
   autosave_.follow(status(), context_.lab, now, add_view_settings());
   if (const std::string error_text = autosave_.take_error(); !error_text.empty())
     panels_.banners.file_warnings = "Autosave failed: " + error_text;
   if (const auto change = watch_.check_at(now)) report_change(*change);
   poll_system_dialog();
+}
+
+// What the opened file is warned about stays only for as long as it is true.
+void Document::follow_settings_warnings() {
+  std::string& shown = panels_.banners.file_warnings;
+  const long edits = status().history.edits;
+  if (shown.empty() || settings_warnings_.first == edits) return;
+  const Snapshot& now = *status().snapshot;
+  std::vector<std::string> warnings = settings_warnings(*now.system, now.state, now.settings), lines;
+  const std::vector<std::string_view> all = split(shown, '\n');
+  for (const std::string_view line : all)
+    if (std::ranges::count(settings_warnings_.second, line) == 0) lines.emplace_back(line);
+  if (lines.size() < all.size()) lines.insert(lines.end(), warnings.begin(), warnings.end());
+  shown = joined(lines);
+  settings_warnings_ = {edits, std::move(warnings)};
 }
 
 void Document::report_replay_difference() {

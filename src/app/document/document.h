@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/document/autosave.h"
@@ -84,6 +85,7 @@ class Document {
   void finish_saving(const std::filesystem::path& file, double time, const std::string& error);
   std::function<void(Scene&)> add_view_settings() const;
   void report_replay_difference();
+  void follow_settings_warnings();
   void report_change(FileWatch::Change change);
   void poll_system_dialog();
   void list_recoverable();
@@ -108,6 +110,8 @@ class Document {
   FileWatch watch_;
   SystemDialog system_dialog_;
   std::string reported_difference_;
+  // The warnings about the settings of the scene, as it is after so many edits; -1: they are not known yet.
+  std::pair<long, std::vector<std::string>> settings_warnings_{-1, {}};
   std::vector<RecoverableScene> recoverable_;
   std::vector<RecoveryEntry> recovery_entries_;  // the same, for the panels
 };

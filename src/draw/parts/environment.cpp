@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-constexpr double transparent_opacity = 0.35;  // opacity of colliders that are not solid
+constexpr double transparent_opacity = 0.35;  // opacity of colliders that are not solid, in 2-D scenes
 constexpr double outline = 1.5;               // [px of the screen]
 constexpr double hatching = 9.0;              // [px of the screen], between hatches and their depth
 
@@ -84,8 +84,8 @@ void add_edge(const DrawContext& context, const Plane& plane, const ColliderPath
 
 void Environment::clear() {
   for (Ground* ground : {&backdrop, &floors, &transparent_floors}) ground->clear();
-  for (Surfaces* surfaces : {&solids, &transparent_solids}) surfaces->clear();
-  for (Balls* each : {&balls, &transparent_balls}) each->clear();
+  solids.clear();
+  balls.clear();
   outlines.clear();
 }
 
@@ -120,15 +120,12 @@ void Environment::add_grid(const DrawContext& context) {
 }
 
 void Environment::add_spatial(const DrawContext& context, const Collider& collider, bool is_hovered, const BallShadow& shade) {
-  const double opacity = collider.solid ? 1.0 : transparent_opacity;
   const Color color = is_hovered ? mix(context.palette.collider, context.palette.line, 0.3) : context.palette.collider;
   if (const auto* sphere = std::get_if<Sphere>(&collider.shape))
-    (collider.solid ? balls : transparent_balls)
-        .add(context.projection, sphere->center, sphere->radius, rgba(color, opacity), meridians_of(context, collider.path), shade);
+    balls.add(context.projection, sphere->center, sphere->radius, rgba(color), meridians_of(context, collider.path), shade);
   if (const auto* box = std::get_if<Box>(&collider.shape)) {
-    add_belt(context, *box, collider.path.belt, rgba(context.palette.line, 0.6 * opacity), outlines);
-    add_box(context, *box, rgba(color, opacity), rgba(context.palette.line, 0.8 * opacity), collider.solid ? solids : transparent_solids,
-            outlines);
+    add_belt(context, *box, collider.path.belt, rgba(context.palette.line, 0.6), outlines);
+    add_box(context, *box, rgba(color), rgba(context.palette.line, 0.8), solids, outlines);
   }
   if (const auto* plane = std::get_if<Plane>(&collider.shape)) {
     const bool is_shown = collider.solid && is_before(context.camera, *plane);

@@ -10,11 +10,11 @@
 
 namespace hooke {
 
-// Drawn in this order: background, opaque objects, transparent objects in front.
+// Drawn in this order: background, opaque objects, transparent floors in front.
 struct Environment {
   Ground backdrop, floors, transparent_floors;
-  Surfaces solids, transparent_solids;
-  Balls balls, transparent_balls;
+  Surfaces solids;
+  Balls balls;
   Strokes outlines;
 
   void clear();

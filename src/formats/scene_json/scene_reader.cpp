@@ -51,9 +51,7 @@ class SceneReader {
       if (const auto warning = rest_angle_warning(scene_.system)) fields_.warn(*warning);
     }
     set_print_layout(scene_);
-    if (const auto warning = step_warning(scene_.system, scene_.state, scene_.settings)) fields_.warn(*warning);
-    if (const auto warning = oscillation_warning(scene_.system, scene_.settings)) fields_.warn(*warning);
-    if (const auto warning = unused_setting_warning(scene_.settings)) fields_.warn(*warning);
+    for (const std::string& warning : settings_warnings(scene_.system, scene_.state, scene_.settings)) fields_.warn(warning);
     for (const std::string& warning : crossing_warnings(scene_.system, scene_.state)) fields_.warn(warning);
     for (const auto& warning : {thickness_warning(scene_.system), bending_warning(scene_.system), pressure_warning(scene_.system),
                                 strain_limit_warning(scene_.system, scene_.state), small_collider_warning(scene_.system, scene_.state)})

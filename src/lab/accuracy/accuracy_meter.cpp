@@ -68,7 +68,7 @@ void AccuracyMeter::restart() {
 
 void AccuracyMeter::note_edit() {
   is_edited_ = true;
-  repetition_.cancel();
+  repetition_.reset();
   second_runs_.note_edit();
 }
 
@@ -118,7 +118,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     repetition_.begin(plan, system, settings, before, after, motion.counts.force_evaluations,
                       (touches_ || collapses_) && repetitions_++ % order_period == 0);
     frames_since_repetition_ = 0;
-    is_urgent_ = is_impact || is_edited_;
+    is_urgent_ = is_first || is_impact || is_edited_;
     is_edited_ = false;
   }
   if (mode_ != AccuracyMode::Full) return;
@@ -144,10 +144,10 @@ void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
   std::string_view reason;
   if (is_started_ && !is_edited_ && repetition_.has_failed())
     reason = "with half the step, or a smaller tolerance, this frame fails or takes too long";
+  else if (is_started_ && is_edited_)
+    reason = "not yet measured since the last edit";
   else if (!is_started_ || !result)
     reason = "not measured yet";
-  else if (is_edited_)
-    reason = "not yet measured since the last edit";
   else if (!std::isfinite(result->error.rms))
     reason = "with half the step this frame diverges";
   else if (past_.is_aliased)

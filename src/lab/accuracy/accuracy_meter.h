@@ -68,7 +68,8 @@ class AccuracyMeter {
   // Whether a frame is being repeated; then `repeat` computes a substep of it.
   bool is_repeating() const { return mode_ != AccuracyMode::Off && repetition_.is_in_progress(); }
   void repeat(const System& system);
-  // Whether that frame is one in which something began to touch, or the first after an edit: what was known before says nothing of it.
+  // Whether that frame is the first one, one in which something began to touch, or the first after an edit: what was known before says
+  // nothing of it.
   bool is_urgent() const { return is_urgent_; }
   // The same for the second runs, which may be late.
   bool has_work() const { return mode_ == AccuracyMode::Full && second_runs_.has_work(); }

@@ -39,7 +39,7 @@ void FrameRepetition::substep(const System& system) {
 }
 
 void FrameRepetition::reset() {
-  cancel();
+  run_.stop();
   result_.reset();
   has_failed_ = false;
 }

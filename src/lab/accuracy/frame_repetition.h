@@ -28,11 +28,10 @@ class FrameRepetition {
   // Computes a substep; with the last one there is a result, unless the method found no step, or took too many.
   void substep(const System& system);
   bool is_in_progress() const { return run_.is_in_frame(); }
-  // Abandons the repetition in progress: the System is not the same any more.
-  void cancel() { run_.stop(); }
+  // Abandons the repetition in progress and the result of the last one: the System is not the same any more.
   void reset();
 
-  // Of the last repetition; none before the first one, or if that failed.
+  // Of the last repetition; none before the first one since `reset`, or if that failed.
   const std::optional<Result>& result() const { return result_; }
   bool has_failed() const { return has_failed_; }
 

@@ -24,8 +24,8 @@ struct Budget {
   bool is_spent() const { return left <= 0.0 || stop; }
 };
 
-bool is_unconditionally_stable(const Integrator& method) {
-  return method.stability == Stability::LStable || method.stability == Stability::AStable;
+bool has_no_longest_step(const Integrator& method) {
+  return method.stability == Stability::LStable || method.stability == Stability::AStable || method.stability == Stability::EachSpring;
 }
 
 struct Trial {
@@ -60,9 +60,7 @@ Trial run_copy(Scene scene, double seconds, Budget& budget) {
   const double start = scene.state.time, given = budget.left;
   const long frames = std::lround(std::ceil(seconds * scene.settings.frame_rate * (1.0 - 1e-9)));
   Trial trial;
-  for (const auto& warning : {unused_setting_warning(scene.settings), step_warning(scene.system, scene.state, scene.settings),
-                              oscillation_warning(scene.system, scene.settings)})
-    if (warning) trial.step_warnings.push_back(*warning);
+  trial.step_warnings = settings_warnings(scene.system, scene.state, scene.settings);
   Lab lab(std::move(scene), KeepStart::No);
   TrialWork work(lab.plan());
   lab.watch_substeps([&] {
@@ -135,7 +133,7 @@ int resolving_oscillations(const StepNeeds& needs, const Integrator& method, dou
   return std::max(substeps, StepLimits({}, {.oscillation = needs.oscillation}).resolving_substeps(method, frame_rate).value_or(1));
 }
 
-// The settings of one method to try, the cheapest first.
+// The settings of one method to try, the cheapest first; but one substep only after the present number.
 std::vector<Advice> settings_of(const Integrator& method, const Scene& start, const StepLimits& limits) {
   const Settings& settings = start.settings;
   const double frame_rate = settings.frame_rate;
@@ -144,14 +142,14 @@ std::vector<Advice> settings_of(const Integrator& method, const Scene& start, co
   if (method.stability == Stability::Adaptive)
     return is_present ? std::vector<Advice>{} : std::vector<Advice>{{&method, settings.substeps}};
   std::vector<Advice> list;
-  if (is_unconditionally_stable(method) || method.stability == Stability::EachSpring) {
-    std::vector<int> numbers{settings.substeps, std::min(max_substeps, 4 * settings.substeps)};
+  if (has_no_longest_step(method)) {
+    std::vector<int> numbers{settings.substeps, 1, std::min(max_substeps, 4 * settings.substeps)};
     // listed forces that are not part of its linear system may limit its step
     if (limit && *limit > numbers.back()) numbers.push_back(std::min(max_substeps, 2 * *limit));
     for (const int substeps : numbers) {
       const Advice advice{&method, resolving_oscillations(limits.needs(), method, frame_rate, substeps)};
       const bool is_tried = is_present && advice.substeps <= settings.substeps;
-      if (!is_tried && (list.empty() || list.back() != advice)) list.push_back(advice);
+      if (!is_tried && std::ranges::find(list, advice) == list.end()) list.push_back(advice);
     }
     return list;
   }
@@ -164,22 +162,17 @@ std::vector<Advice> settings_of(const Integrator& method, const Scene& start, co
   return list;
 }
 
-// The methods to try: the present one, the default one, then those that are stable at any step, the others, and those that choose their
-// steps: these first where no number of substeps resolves a passage. `any`: before them, methods that are stable, but not for production.
-std::vector<const Integrator*> methods_to_try(const Settings& settings, const StepLimits& limits, bool any) {
-  const auto is_only_stable = [&](const Integrator& method) {
-    return any && !method.for_production && (is_unconditionally_stable(method) || method.stability == Stability::EachSpring);
-  };
+// The methods to try: the present one, those that are stable at any step without a nonlinear solve, which prove the others too expensive
+// soon, the default one, and those that choose their steps last; but first where no number of substeps resolves a passage.
+std::vector<const Integrator*> methods_to_try(const Settings& settings, const StepLimits& limits) {
   std::vector<const Integrator*> methods;
-  for (const Integrator& method : integrators())
-    if (method.for_production || &method == settings.integrator || is_only_stable(method)) methods.push_back(&method);
+  for (const Integrator& method : integrators()) methods.push_back(&method);
   const bool is_for_adaptive = !limits.resolving_substeps(default_integrator(), settings.frame_rate);
   const auto rank = [&](const Integrator* method) {
-    if (is_only_stable(*method)) return 0;
-    if (method->stability == Stability::Adaptive) return is_for_adaptive ? 0 : 5;
+    if (method->stability == Stability::Adaptive) return is_for_adaptive ? 0 : 6;
     if (method == settings.integrator) return 1;
-    if (method == &default_integrator()) return 2;
-    return is_unconditionally_stable(*method) ? 3 : 4;
+    if (has_no_longest_step(*method)) return method->implicit_solve == ImplicitSolve::Iterative ? 4 : 2;
+    return method == &default_integrator() ? 3 : 5;
   };
   std::ranges::stable_sort(methods, {}, rank);
   return methods;
@@ -217,7 +210,9 @@ class SettingSearch {
   void try_method(const Integrator& method, const StepLimits& limits, const RemedyProgress& progress) {
     const std::vector<Advice> settings = settings_of(method, start_, limits);
     const bool is_present = &method == start_.settings.integrator;
+    bool needs_no_more = false;
     for (std::size_t i = 0; i < settings.size() && !budget_.stop; ++i) {
+      if (needs_no_more && settings[i].substeps > settings[i - 1].substeps) return;
       if (budget_.left <= 0.0) {
         remedy_.settings_left += static_cast<int>(settings.size() - i);
         return;
@@ -226,15 +221,15 @@ class SettingSearch {
       // no setting takes more than half of the rest, nor, except to keep the method, more than the cheapest that was found
       const double half = std::min(0.5 * budget_.left, max_work_), allowed = is_present ? half : std::min(half, cheapest_work_);
       const Trial trial = run(settings[i], allowed);
-      if (keep(settings[i], trial, is_present)) return;
-      // with more substeps, what would do but for the energy that it gains may do
-      if (trial.end != Trial::End::OutOfBudget || (trial.gains && trial.seconds >= 2.0 * diverged_after_)) continue;
+      // with more substeps, what would do but for the energy that it gains may do; all else would take longer still
+      const bool is_cut_short = trial.end == Trial::End::OutOfBudget && !(trial.gains && trial.seconds >= 2.0 * diverged_after_);
+      if (keep(settings[i], trial, is_present) || is_cut_short) needs_no_more = true;
+      if (!is_cut_short) continue;
       if (is_present && trial.seconds > 0.0) remedy_.untested = {settings[i], trial.seconds, 1e-9 * trial.work / trial.seconds, {}};
-      // more substeps would take longer still
-      if (allowed < half) return;
+      if (allowed < half) continue;
       ++remedy_.settings_cut_short;
-      remedy_.settings_left += static_cast<int>(settings.size() - i) - 1;
-      return;
+      for (std::size_t more = i + 1; more < settings.size(); ++more)
+        remedy_.settings_left += settings[more].substeps > settings[i].substeps ? 1 : 0;
     }
   }
 
@@ -248,8 +243,9 @@ class SettingSearch {
   }
 
  private:
-  // in the order of preference: no warning, no warning for as long as the work allowed, only one about the step, and any other
-  enum Rank { Tested, PartlyTested, StepWarning, OtherWarning, Ranks };
+  // in the order of preference: tested for all of the time, without a warning or only with one about the step; for as long as the work
+  // allowed, likewise; and with any other warning
+  enum Rank { Tested, StepWarning, PartlyTested, PartlyStepWarning, OtherWarning, Ranks };
 
   Trial run(const Advice& advice, double allowed) {
     Scene scene = start_;
@@ -268,7 +264,10 @@ class SettingSearch {
     const bool is_finished = trial.end == Trial::End::Finished;
     const bool is_tested = is_finished || (trial.end == Trial::End::OutOfBudget && trial.seconds >= 2.0 * diverged_after_);
     if (!is_tested || trial.gains) return false;
-    const Rank rank = !trial.has_warnings() ? (is_finished ? Tested : PartlyTested) : trial.warnings.empty() ? StepWarning : OtherWarning;
+    const Rank rank = !trial.has_warnings()     ? (is_finished ? Tested : PartlyTested)
+                      : !trial.warnings.empty() ? OtherWarning
+                      : is_finished             ? StepWarning
+                                                : PartlyStepWarning;
     const TestedSetting setting{.advice = advice,
                                 .seconds = trial.seconds,
                                 .duration = trial.seconds > 0.0 ? 1e-9 * trial.work / trial.seconds : 0.0,
@@ -290,7 +289,7 @@ class SettingSearch {
   std::optional<TestedSetting> cheapest_[Ranks], same_method_[Ranks];
 };
 
-// `any`: with any method, each setting with a share of the work.
+// `any`: each setting with a share of the work.
 Remedy search(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, bool any,
               const RemedyProgress& progress) {
   const auto report = [&](const std::string& test) {
@@ -312,7 +311,7 @@ Remedy search(const Scene& start, double seconds, const std::atomic<bool>& stop,
   const Budget left{max_work - (share_of_diagnosis * max_work - std::max(0.0, diagnosis.left)), stop};
   const StepLimits limits(bound_spectrum(start.system), step_needs(start.system, start.state));
   SettingSearch tested(start, seconds, diverged_after, any ? max_share * max_work : max_work, any, left, remedy);
-  for (const Integrator* method : methods_to_try(start.settings, limits, any)) tested.try_method(*method, limits, progress);
+  for (const Integrator* method : methods_to_try(start.settings, limits)) tested.try_method(*method, limits, progress);
   tested.finish();
   return remedy;
 }
@@ -343,8 +342,15 @@ bool may_reach(double frames, double points, double springs) {
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, const RemedyProgress& progress) {
   Remedy remedy = search(start, seconds, stop, max_work, false, progress);
   const bool is_cut_short = remedy.cause == Remedy::Cause::SearchLimit || remedy.settings_cut_short > 0;
-  if (remedy.cheapest || !is_cut_short || stop) return remedy;
-  return search(start, seconds, stop, more_work * max_work, true, progress);
+  const bool is_fast = remedy.cheapest && remedy.cheapest->duration <= 1.0;
+  if (is_fast || !is_cut_short || stop) return remedy;
+  Remedy found = search(start, seconds, stop, more_work * max_work, true, progress);
+  if (remedy.cheapest && !found.cheapest) return remedy;
+  if (!found.same_method && !found.untested) {
+    found.same_method = remedy.same_method;
+    found.untested = remedy.untested;
+  }
+  return found;
 }
 
 Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const RemedyProgress& report) {

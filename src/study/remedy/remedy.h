@@ -64,7 +64,7 @@ class TrialWork {
 };
 
 // [ns], a limit on the work of all copies of one search, by a fixed model of what it takes: the same on every machine, of which the default
-// takes a second or two. Where that is too little to find anything, a second search takes eight times as much, and any method.
+// takes a second or two. Where that is too little to find what runs in real time, a second search takes eight times as much.
 inline constexpr double default_remedy_work = 1.5e9;
 
 // Whether a search for a remedy may reach a divergence that is so many frames after its start. A bound: for a scene that is too large for
@@ -76,9 +76,9 @@ using RemedyProgress = std::function<void(const std::string& test)>;
 
 // Runs copies of `start` (a state before the divergence, best the start of the run) with its own settings, without its forces,
 // contact and hand, and with other settings: each for `seconds` or until the divergence. A setting is accepted when it neither diverges nor
-// is warned about, as by `hooke run`, for `seconds` or, where the work allows less, for at least twice the time that the divergence took;
-// if there is none, the first one that does not diverge, with its warnings: rather about a step that may be too long than about what went
-// wrong; never one with which the energy rises by more than was supplied. Of those, the cheapest counts. Deterministic. Can run on any
+// is warned about, as by `hooke run`, for `seconds`; if there is none, one that is only warned that its step may be too long; then likewise
+// where the work allows less, for at least twice the time that the divergence took; then one with warnings about what went wrong. Never one
+// with which the energy rises by more than was supplied. Of those, the cheapest counts. Deterministic. Can run on any
 // thread; `stop` ends it early.
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work = default_remedy_work,
                    const RemedyProgress& report = {});

@@ -130,7 +130,7 @@ void cost_section(const PanelInput& input, Requests& requests) {
   const bool is_same = advice.cheaper && advice.better && advice.cheaper->settings == advice.better->settings;
   if (!is_same) advice_row(advice.better, present, requests);
   if (!advice.half_error && !advice.cheaper && !advice.better) paragraph("No better setting was found.");
-  explanation("Measured on copies, over the frames that follow the present state.");
+  explanation("Measured on copies, over frames that follow the present state and two later ones.");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ void kinds(ExportState& export_state, bool is_flat) {
   ImGui::PopStyleColor();
 }
 
-void over_time(ExportState& export_state, Panels& panels) {
+void over_time(ExportState& export_state, bool is_flat, Panels& panels) {
   const FileKind& kind = export_kinds()[export_state.kind];
   if (kind.source != ExportSource::Frames) return;
   const NumberField field{.label = "Duration",
@@ -54,7 +54,7 @@ void over_time(ExportState& export_state, Panels& panels) {
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputText("##quantities", &export_state.quantities);
   ImGui::PushFont(fonts().small);
-  paragraph(quantity_names() + ".", palette::dim);
+  paragraph(quantity_names(true, !is_flat) + ".", palette::dim);
   ImGui::PopFont();
 }
 
@@ -120,10 +120,11 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   strong_text("Export");
   begin_tab_stops();
   ImGui::BeginDisabled(input.export_work.is_running);
-  kinds(export_state, input.status.snapshot->system->dimensions == 2);
+  const bool is_flat = input.status.snapshot->system->dimensions == 2;
+  kinds(export_state, is_flat);
   ImGui::Dummy({0.0f, units(2.0)});
   paragraph(export_kinds()[export_state.kind].description, palette::dim);
-  over_time(export_state, panels);
+  over_time(export_state, is_flat, panels);
   picture_rows(export_state, input, panels);
   dim_text("Path");
   if (export_state.is_new) ImGui::SetKeyboardFocusHere();

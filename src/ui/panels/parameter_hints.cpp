@@ -63,10 +63,15 @@ void step_remark(const Snapshot& snapshot) {
     text += " (always unstable)";
   else if (std::isinf(limit))
     text += " (no limit)";
-  else if (fraction > 0.8 && fraction <= 1.0)
-    text += ", " + number_text(std::floor(100.0 * fraction)) + " % of the limit";
-  else
-    text += (snapshot.is_limited_by_contact ? " (contact limit " : " (limit ") + number_text(snapshot.omega * limit, 3) + ")";
+  else if (fraction > 0.8 && fraction <= 1.0) {
+    const std::string percent = number_text(std::floor(100.0 * fraction)) + " %";
+    short_text = text + " (" + percent + ")";
+    text += ", " + percent + " of the limit";
+  } else {
+    const std::string value = number_text(snapshot.omega * limit, 3) + ")", contact = snapshot.is_limited_by_contact ? "contact " : "";
+    short_text = text + " (" + contact + value;
+    text += " (" + contact + "limit " + value;
+  }
   const std::string method = snapshot.settings.integrator->short_name();
   std::string description = "Highest angular frequency of the scene times the step. The simulation can blow up beyond the limit of " +
                             method + (anything && !snapshot.step_limit.empty() ? ": " + snapshot.step_limit + "." : ".");

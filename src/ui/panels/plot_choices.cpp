@@ -18,9 +18,7 @@ constexpr std::string_view of_the_scene[] = {"kinetic",    "elastic",    "gravit
 void choice(const std::string& name, const PanelInput& input, Requests& requests) {
   const System& system = *input.status.snapshot->system;
   const auto quantity = find_quantity(name, system.point_count(), system.spring_count());
-  const bool is_out_of_plane = name.starts_with("z") || name.starts_with("vz") || name == "momentum_z" || name == "center_z" ||
-                               name == "angular_x" || name == "angular_y";
-  if (!quantity || (system.dimensions == 2 && is_out_of_plane)) return;
+  if (!quantity || (system.dimensions == 2 && quantity->row->is_spatial())) return;
   SetPlots set;
   bool is_watched = false;
   for (const Trace& trace : input.status.timeline.traces->traces) {
