@@ -31,7 +31,7 @@ def _install(prefix: pathlib.Path) -> None:
                     "-DHOOKE_UNITY_BUILD=ON", "-DBUILD_TESTING=OFF", f"-DHOOKE_PYTHON={sys.executable}",
                     *os.environ.get("CMAKE_ARGS", "").split()], check=True)
     subprocess.run(["cmake", "--build", build, "--target", "hooke_python", "--parallel", str(os.cpu_count())], check=True)
-    subprocess.run(["cmake", "--install", build, "--prefix", prefix, "--component", "python_module"], check=True)
+    subprocess.run(["cmake", "--install", build, "--prefix", prefix, "--component", "python_module", "--strip"], check=True)
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
