@@ -62,7 +62,7 @@ std::string unknown_option(const CLI::App& command, int argc, char** argv) {
 std::string describe(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   if (std::string unknown = unknown_option(parsed.empty() ? app : *parsed.front(), argc, argv); !unknown.empty()) return unknown;
-  const std::string what = printable(error.what());
+  std::string what = printable(error.what());
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     std::string words;  // CLI11 reverses them
     for (const std::string& word : app.remaining(true)) words += (words.empty() ? "" : " ") + word;
