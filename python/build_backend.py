@@ -28,9 +28,10 @@ def _install(prefix: pathlib.Path) -> None:
     build = pathlib.Path(os.environ.get("HOOKE_WHEEL_BUILD", root / "build" / f"wheel-{sys.implementation.cache_tag}"))
     generator = ["-G", "Ninja"] if shutil.which("ninja") else []
     subprocess.run(["cmake", *generator, "-S", root, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O3",
-                    "-DBUILD_TESTING=OFF", f"-DHOOKE_PYTHON={sys.executable}", *os.environ.get("CMAKE_ARGS", "").split()], check=True)
+                    "-DHOOKE_UNITY_BUILD=ON", "-DBUILD_TESTING=OFF", f"-DHOOKE_PYTHON={sys.executable}",
+                    *os.environ.get("CMAKE_ARGS", "").split()], check=True)
     subprocess.run(["cmake", "--build", build, "--target", "hooke_python", "--parallel", str(os.cpu_count())], check=True)
-    subprocess.run(["cmake", "--install", build, "--prefix", prefix, "--component", "python_module"], check=True)
+    subprocess.run(["cmake", "--install", build, "--prefix", prefix, "--component", "python_module", "--strip"], check=True)
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/formatted.h"
+#include "base/number_text.h"
 #include "base/option_error.h"
 #include "batch/capture_report.h"
 #include "batch/offscreen.h"
@@ -66,7 +67,7 @@ class FrameCapture {
     if (destination_.kind != Destination::Kind::Folder) return "frame " + std::to_string(frame);
     return (frame == schedule.frame_of(picture) ? "" : "before ") + file_name(picture);
   }
-  void finish() { writer_->finish(); }
+  void finish(const std::string& comment) { writer_->finish(comment); }
 
  private:
   // One line about the picture.
@@ -144,7 +145,7 @@ CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double le
     if (report && is_running)
       report->add(lab, frame_capture.takes_every_picture() || picture == last ? frame_capture.file_name(picture) : "");
   }
-  frame_capture.finish();
+  frame_capture.finish(results.interrupted ? "interrupted at t = " + number_text(lab.scene().state.time) + " s" : "");
   if (report) report->finish(results.interrupted);
   if (limit) results.error_limit = limit->message();
   results.tolerance_warning = tolerance.warning();

@@ -28,10 +28,10 @@ void PictureWriter::add(Image picture, long number) {
   changed_.notify_all();
 }
 
-void PictureWriter::finish() {
+void PictureWriter::finish(const std::string& comment) {
   end();
   if (error_) std::rethrow_exception(error_);
-  if (film_) film_->close();
+  if (film_) film_->close(comment);
 }
 
 // There are no more pictures.

@@ -26,8 +26,8 @@ class PictureWriter {
   // Pictures are written in the order in which they are added. Waits where too many are waiting. Throws the error of an earlier picture,
   // after which none is written.
   void add(Image picture, long number);
-  // Waits until everything is written. Throws FileError.
-  void finish();
+  // Waits until everything is written. The comment is that of a film. Throws FileError.
+  void finish(const std::string& comment);
 
  private:
   struct QueuedPicture {

@@ -41,7 +41,7 @@ void check_command(const std::string& name, const DeclaredCommands& declared) {
 
 // An option that the command does not have, which CLI11 would only report after a required one that is missing; empty: there is none.
 std::string unknown_option(const CLI::App& command, int argc, char** argv) {
-  for (int i = 2; i < argc; ++i) {
+  for (int i = command.get_parent() == nullptr ? 1 : 2; i < argc; ++i) {
     const std::string word = argv[i], name = word.substr(0, word.find('='));
     const bool is_option = word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(static_cast<unsigned char>(word[1])) != 0);
     if (word == "--") break;
@@ -61,9 +61,8 @@ std::string unknown_option(const CLI::App& command, int argc, char** argv) {
 
 std::string describe(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
   const std::vector<CLI::App*> parsed = app.get_subcommands();
-  if (!parsed.empty())
-    if (std::string unknown = unknown_option(*parsed.front(), argc, argv); !unknown.empty()) return unknown;
-  const std::string what = printable(error.what());
+  if (std::string unknown = unknown_option(parsed.empty() ? app : *parsed.front(), argc, argv); !unknown.empty()) return unknown;
+  std::string what = printable(error.what());
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     std::string words;  // CLI11 reverses them
     for (const std::string& word : app.remaining(true)) words += (words.empty() ? "" : " ") + word;

@@ -315,19 +315,14 @@ void CommonValue::include(double value) {
   is_uniform_ = is_uniform_ && std::abs(value - first_) <= rounding * std::abs(first_);
 }
 
-double clamp_to(const Parameter& parameter, double value) {
-  if (std::isnan(value)) return parameter.default_value;
-  const double clamped = std::clamp(value, parameter.min, parameter.max);
-  return parameter.kind == Kind::Number ? clamped : std::round(clamped);
-}
-
 Bounds allowed_range(const Parameter& parameter) {
   const bool is_limited = std::isfinite(parameter.physical.min) || std::isfinite(parameter.physical.max);
   return is_limited ? parameter.physical : Bounds{.min = parameter.min, .max = parameter.max};
 }
 
 double clamp_to_range(const Parameter& parameter, double value) {
-  if (!allowed_range(parameter).contains(value) || !std::isfinite(value)) return clamp_to(parameter, value);
+  if (std::isnan(value)) return parameter.default_value;
+  if (!allowed_range(parameter).contains(value) || std::isinf(value)) value = std::clamp(value, parameter.min, parameter.max);
   return parameter.kind == Kind::Number ? value : std::round(value);
 }
 

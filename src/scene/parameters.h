@@ -93,10 +93,9 @@ class CommonValue {
   bool is_uniform_ = true;
 };
 
-// The value clamped to the range of the slider, and rounded for integers. NaN becomes the default.
-double clamp_to(const Parameter& parameter, double value);
-// The range that may be set: that of scene files or, where it is unlimited, that of the slider; and the value clamped to it.
+// The range that may be set: that of scene files or, where it is unlimited, that of the slider.
 Bounds allowed_range(const Parameter& parameter);
+// The value, rounded for integers; beyond that range, clamped to the slider. NaN becomes the default.
 double clamp_to_range(const Parameter& parameter, double value);
 
 }  // namespace hooke

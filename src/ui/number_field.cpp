@@ -30,10 +30,12 @@ std::string fitted_text(const NumberField& field, float room) {
   return text;
 }
 
+Bounds allowed_range(const NumberField& field) { return field.typed.value_or(Bounds{.min = field.min, .max = field.max}); }
+
 double fitted(const NumberField& field, double value) {
   if (std::isnan(value)) return field.default_value;
   if (field.step > 0.0) value = field.step * std::round(value / field.step);
-  value = std::clamp(value, field.min, field.max);
+  if (!std::isfinite(value) || !allowed_range(field).contains(value)) value = std::clamp(value, field.min, field.max);
   return field.integer ? std::round(value) : value;
 }
 
@@ -127,6 +129,11 @@ bool slider(const NumberField& field, double& value, bool typing) {
 
 }  // namespace
 
+std::string bounds_text(const Bounds& range, std::string_view unit) {
+  if (!std::isfinite(range.min) || !std::isfinite(range.max)) return range.text().substr(std::string_view("must be ").size());
+  return "from " + number_text(range.min) + " to " + with_unit(range.max, unit);
+}
+
 void begin_row(const std::string& label) {
   constexpr double column = 136.0;  // [design units]
   ImGui::AlignTextToFramePadding();
@@ -167,9 +174,8 @@ std::optional<NumberChange> changed_row(const NumberField& field, Panels& panels
     changed = !std::isnan(value);
     if (!changed)
       panels.show_toast("Not a number; " + std::string(field.label) + " is unchanged");
-    else if (value < field.min || value > field.max)
-      panels.show_toast(std::string(field.label) + " must be between " + number_text(field.min) + " and " +
-                        with_unit(field.max, field.unit));
+    else if (!allowed_range(field).contains(value))
+      panels.show_toast(std::string(field.label) + " must be " + bounds_text(allowed_range(field), field.unit));
   }
 
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {

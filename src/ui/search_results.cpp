@@ -10,6 +10,7 @@
 #include "scene/parameters.h"
 #include "sim/control/automatic.h"
 #include "sim/methods/integrator.h"
+#include "ui/number_field.h"
 #include "ui/panels/mixed_values.h"
 #include "ui/text.h"
 #include "ui/typed_field.h"
@@ -123,12 +124,12 @@ class ResultFinder {
       found_.push_back({label + ": the scene has no " + what, "parameter", {}, {}, score});
       return;
     }
-    const std::string range = number_text(row.min) + " to " + with_unit(row.max, row.unit);
+    const std::string range = bounds_text(allowed_range(row), row.unit);
     if (!parts_.number) {
       found_.push_back({label + ": " + value_text(row, value), range, {}, label + " ", score});
       return;
     }
-    const double set = clamp_to(row, *parts_.number);
+    const double set = clamp_to_range(row, *parts_.number);
     found_.push_back({"Set " + label + " to " + value_text(row, set), range, {Edit{SetParameter{&row, set}}}, {}, score + 2});
   }
 

@@ -44,7 +44,7 @@ std::optional<double> taken(const TypedField& field, const std::string& text, Pa
   if (std::isinf(*number) && !field.infinity_text.empty()) return number;
   const double value = std::clamp(*number, field.min, field.max);
   if (value != *number)
-    panels.show_toast(std::string(field.label) + " must be between " + number_text(field.min) + " and " + with_unit(field.max, field.unit));
+    panels.show_toast(std::string(field.label) + " must be " + bounds_text({.min = field.min, .max = field.max}, field.unit));
   return value;
 }
 

@@ -245,7 +245,8 @@ TEST(Search, FindsScenesPartsMethodsAndParametersWithValues) {
   EXPECT_EQ(first("substeps = 60"), "Set Substeps to 60");
   // beyond its range: what it would be, and the range
   EXPECT_EQ(found_by(gui, "restitution 7").front().text, "Set Restitution to 1");
-  EXPECT_EQ(found_by(gui, "restitution 7").front().remark, "0 to 1");
+  EXPECT_EQ(found_by(gui, "restitution 7").front().remark, "from 0 to 1");
+  EXPECT_EQ(first("substeps 5000"), "Set Substeps to 5000");
   EXPECT_EQ(first("restitution"), "Restitution: 0");
   EXPECT_TRUE(finds("rope", "Open Rope"));
   EXPECT_TRUE(first("cloth").starts_with("Open Cloth")) << first("cloth");

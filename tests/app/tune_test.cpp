@@ -116,6 +116,12 @@ TEST(Tune, SubstepsChangeByFivesFromOneToAThousand) {
   submit_all(fixture, tuning);
   EXPECT_EQ(substeps(), 1000);
   EXPECT_EQ(tuning.message, "1000 substeps per frame");
+  // of a file: more than the slider has
+  set(5000);
+  submit_all(fixture, tune_substeps(*fixture.context.status, +1));
+  EXPECT_EQ(substeps(), 5000);
+  submit_all(fixture, tune_substeps(*fixture.context.status, -1));
+  EXPECT_EQ(substeps(), 4995);
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ TEST(Headless, WrongUsageIsCodeTwoWithOneLineOnStderr) {
            {{"run", "two_masses", "--seconds", "1e300"}, "must be at most 1e15 frames"},
            {{"run", "two_masses", "--seconds", "1", "--warp", "9"}, "--warp: no such option (see --help)"},
            {{"run", "two_masses", "--second", "1"}, "--second: no such option; did you mean --seconds? (see --help)"},
+           {{"--versio"}, "--versio: no such option; did you mean --version? (see --help)"},
            {{"run", "two_masses", "--seconds", "1", "-s", "9"}, "-s: no such option"},
            {{"run", "two_masses", "--seconds"}, "--seconds: its value is missing"},
            {{"run", "two_masses", "a", "b", "--seconds", "1"}, "not expected: a b (see --help)"},

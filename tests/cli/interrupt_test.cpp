@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <fstream>
 #include <functional>
 #include <thread>
 
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 // The exit code of a command in a folder that gets a signal once `is_ready`. Its errors go to a file.
 int code_after(int signal, const std::string& arguments, const fs::path& folder, const std::function<bool()>& is_ready,
                const fs::path& errors = "/dev/null") {
-  std::vector<std::string> words{"/usr/bin/env", "-C", folder.string(), HOOKE_HEADLESS};
+  std::vector<std::string> words{"/usr/bin/env", "-C", folder.string(), "PATH=bin:/usr/bin:/bin", HOOKE_HEADLESS};
   for (std::istringstream text(arguments); text;)
     if (std::string word; text >> word) words.push_back(word);
   const int null = open("/dev/null", O_WRONLY | O_CLOEXEC), stderr_file = open(errors.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
@@ -74,8 +75,8 @@ TEST(Interrupt, ACaptureKeepsItsPicturesAndItsReport) {
   EXPECT_EQ(files_in(scratch.folder / "report", "."), 0);
 }
 
-// Their formats have no place for a mark.
-TEST(Interrupt, TheErrorsSayWhereATableOrAFilmEnds) {
+// A line that is no row would be one to most programs.
+TEST(Interrupt, TheErrorsSayWhereATableEnds) {
   const ScratchFolder scratch, other;
   const auto has_begun = [&] { return has_long_file(scratch.folder); };
   const fs::path errors = other.folder / "errors";
@@ -84,13 +85,24 @@ TEST(Interrupt, TheErrorsSayWhereATableOrAFilmEnds) {
   const std::vector<std::string> rows = lines_of(contents(scratch.folder / "a.csv"));
   const std::string time = rows.back().substr(0, rows.back().find(','));
   EXPECT_NE(contents(errors).find("Interrupted: the results end at t = " + number_text(std::stod(time)) + " s."), std::string::npos);
+}
 
-  fs::remove(scratch.folder / "a.csv"), fs::remove(errors);
-  EXPECT_EQ(code_after(SIGINT, "capture cloth --out a.gif --seconds 1e5 --size 320x180 -q", scratch.folder, has_begun, errors), 130);
-  const std::string film = contents(scratch.folder / "a.gif");
-  EXPECT_TRUE(film.starts_with("GIF89a") && film.ends_with(';'));
-  EXPECT_NE(contents(errors).find("Interrupted: the pictures end at t = "), std::string::npos);
-  EXPECT_EQ(files_in(scratch.folder, "."), 0);
+TEST(Interrupt, ACommentInAFilmSaysWhereItEnds) {
+  for (const char* name : {"a.gif", "a.webp", "a.mp4"}) {
+    const ScratchFolder scratch, other;
+    fs::create_directory(scratch.folder / "bin");
+    std::ofstream(scratch.folder / "bin" / "ffmpeg") << "#!/bin/sh\nfor last; do :; done\nexec cat >\"${last#file:}\"\n";
+    fs::permissions(scratch.folder / "bin" / "ffmpeg", fs::perms::owner_all);
+    const fs::path errors = other.folder / "errors";
+    const std::string command = std::string("capture cloth --seconds 1e5 --size 320x180 -q --out ") + name;
+    EXPECT_EQ(code_after(
+                  SIGINT, command, scratch.folder, [&] { return files_in(scratch.folder, ".a") > 0; }, errors),
+              130);
+    const std::string error = contents(errors), film = contents(scratch.folder / name), start = "Interrupted: the pictures end at ";
+    ASSERT_TRUE(error.starts_with(start) && error.ends_with(".\n")) << error;
+    EXPECT_NE(film.find("interrupted at " + error.substr(start.size(), error.size() - start.size() - 2)), std::string::npos) << name;
+    EXPECT_EQ(files_in(scratch.folder, "."), 0);
+  }
 }
 
 TEST(Interrupt, ASweepKeepsItsRowsAndMarksThem) {

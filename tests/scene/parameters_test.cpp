@@ -43,9 +43,9 @@ TEST(Parameters, ReadBackWhatWasWrittenWithinTheirRange) {
       parameter.write(scene, value);
       EXPECT_NEAR(parameter.read(scene), value, 1e-12 * std::abs(value)) << parameter.name;
     }
-    EXPECT_EQ(clamp_to(parameter, -1e300), parameter.min) << parameter.name;
-    EXPECT_EQ(clamp_to(parameter, 1e300), parameter.max) << parameter.name;
-    EXPECT_EQ(clamp_to(parameter, NAN), parameter.default_value) << parameter.name;
+    EXPECT_EQ(clamp_to_range(parameter, -INFINITY), parameter.min) << parameter.name;
+    EXPECT_EQ(clamp_to_range(parameter, INFINITY), parameter.max) << parameter.name;
+    EXPECT_EQ(clamp_to_range(parameter, NAN), parameter.default_value) << parameter.name;
     EXPECT_FALSE(parameter.description.empty());
     EXPECT_EQ(find_parameter(parameter.name), &parameter);
     parameter.write(scene, parameter.default_value);

@@ -210,7 +210,7 @@ TEST(BadInput, ANonNumberKeepsTheValueWithAMessage) {
   gui.type_into({"points", "mass"}, "heavy");
   EXPECT_EQ(gui.app().panels().messages.toast, "\"heavy\" is not a number; Mass is unchanged");
   gui.type_into({"points", "mass"}, "1e300");
-  EXPECT_EQ(gui.app().panels().messages.toast, "Mass must be between 1\u00d710\u207b\u2079 and 1\u00d710\u2079 kg");
+  EXPECT_EQ(gui.app().panels().messages.toast, "Mass must be from 1\u00d710\u207b\u2079 to 1\u00d710\u2079 kg");
   for (const Point& point : gui.system().points()) EXPECT_EQ(point.mass, 1e9);
 }
 

@@ -91,12 +91,19 @@ TEST(Sliders, ATypedNumberIsAppliedWhenFinishedAndClampedWithAMessage) {
   EXPECT_EQ(value_of(gui, "stiffness"), 250.0);
   EXPECT_EQ(gui.app().panels().messages.toast, "");
 
-  gui.click(gui.find("side", {"substeps", "##value"}), Button::Left, {.control = true});
-  gui.type("5000");
-  gui.click({500.0, 600.0});
-  gui.frames(2);
+  const auto type_substeps = [&](const char* number) {
+    gui.click(gui.find("side", {"substeps", "##value"}), Button::Left, {.control = true});
+    gui.type(number);
+    gui.click({500.0, 600.0});
+    gui.frames(2);
+  };
+  // as `--set` does, it accepts what a scene file may contain
+  type_substeps("5000");
+  EXPECT_EQ(value_of(gui, "substeps"), 5000.0);
+  EXPECT_EQ(gui.app().panels().messages.toast, "");
+  type_substeps("5000000");
   EXPECT_EQ(value_of(gui, "substeps"), 1000.0);
-  EXPECT_EQ(gui.app().panels().messages.toast, "Substeps must be between 1 and 1000");
+  EXPECT_EQ(gui.app().panels().messages.toast, "Substeps must be from 1 to 1,000,000");
 }
 
 TEST(Sliders, StiffnessAppliesToTheSelectionIfThereIsOne) {

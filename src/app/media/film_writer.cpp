@@ -64,7 +64,7 @@ void FilmWriter::write() {
 std::string FilmWriter::write_all() {
   try {
     while (const auto queued_frame = next()) film_->add(queued_frame->picture, queued_frame->times);
-    if (!dropped_) film_->close();
+    if (!dropped_) film_->close("");
     return {};
   } catch (const std::exception& error) {  // FileError, or a picture that cannot be encoded
     return error.what();

@@ -35,6 +35,9 @@ double common_factor(double min, double max, int direction) {
 
 std::string value_text(double min, double max) { return "k = " + number_text(min) + (min < max ? " to " + number_text(max) : "") + " N/m"; }
 
+// Keys lead to the ends of the slider. A value beyond, which was typed or is of a file, does not change against the direction of the key.
+double tuned(const Parameter& row, double now, double next) { return std::clamp(next, std::min(row.min, now), std::max(row.max, now)); }
+
 }  // namespace
 
 Tuning tune_stiffness(const Status& status, const Selection& selection, int direction) {
@@ -72,21 +75,20 @@ Tuning tune_stiffness(const Status& status, const Selection& selection, int dire
 
 Tuning tune_substeps(const Status& status, int direction) {
   if (is_automatic(status.snapshot->settings)) {
-    const double tolerance = clamp_to(tolerance_parameter, automatic_tolerance(status.snapshot->settings) * (direction > 0 ? 0.5 : 2.0));
+    const double now = automatic_tolerance(status.snapshot->settings);
+    const double tolerance = tuned(tolerance_parameter, now, now * (direction > 0 ? 0.5 : 2.0));
     return {{SetParameter{&tolerance_parameter, tolerance}}, "Tolerance " + number_text(tolerance) + " m/s"};
   }
-  const Parameter& row = substeps_parameter;
   const int now = status.snapshot->settings.substeps;
   // the next multiple in that direction
   const int steps = direction > 0 ? now / substeps_at_once + 1 : (now + substeps_at_once - 1) / substeps_at_once - 1;
-  const double next = clamp_to(row, steps * substeps_at_once);
-  return {{SetParameter{&row, next}}, count(static_cast<long>(next), "substep") + " per frame"};
+  const double next = tuned(substeps_parameter, now, steps * substeps_at_once);
+  return {{SetParameter{&substeps_parameter, next}}, count(static_cast<long>(next), "substep") + " per frame"};
 }
 
 Tuning tune_speed(const Status& status, double times) {
-  const Parameter& row = speed_parameter;
-  const double next = clamp_to(row, times * status.snapshot->settings.speed);
-  return {{SetParameter{&row, next}}, number_text(next) + "\u00d7 real time"};
+  const double now = status.snapshot->settings.speed, next = tuned(speed_parameter, now, times * now);
+  return {{SetParameter{&speed_parameter, next}}, number_text(next) + "\u00d7 real time"};
 }
 
 }  // namespace hooke

@@ -66,10 +66,7 @@ int capture(const Options& options) {
     return exit_code::diverged;
   }
   if (!results.diverged) return results.error_limit.empty() ? exit_code::success : exit_code::check_failed;
-  if (options.replay)
-    std::cerr << explain_divergence(lab, nullptr, 0.0) << "\n";
-  else
-    std::cerr << explain_divergence(lab, *options.scene, results.seconds) << "\n";
+  std::cerr << (options.replay ? explain_divergence(lab, nullptr, 0.0) : explain_divergence(lab, *options.scene, results.seconds)) << "\n";
   return exit_code::diverged;
 }
 

@@ -62,7 +62,8 @@ class GifEncoder : public FilmEncoder {
     before_ = picture;
   }
 
-  void close() override {
+  void close(const std::string& comment) override {
+    if (!comment.empty()) check(EGifPutComment(gif_, comment.c_str()));
     out_.write(bytes_ + ";");
     out_.commit();
   }

@@ -12,6 +12,17 @@
 namespace hooke {
 namespace {
 
+// Where that fails, the film stays as it is.
+void add_description(WebPData& film, const std::string& description) {
+  const std::string packet = xmp_packet(description);
+  const WebPData chunk{reinterpret_cast<const std::uint8_t*>(packet.data()), packet.size()};
+  const std::unique_ptr<WebPMux, decltype(&WebPMuxDelete)> mux(WebPMuxCreate(&film, 1), WebPMuxDelete);
+  WebPData described;
+  if (!mux || WebPMuxSetChunk(mux.get(), "XMP ", &chunk, 0) != WEBP_MUX_OK || WebPMuxAssemble(mux.get(), &described) != WEBP_MUX_OK) return;
+  WebPDataClear(&film);
+  film = described;
+}
+
 class WebpEncoder : public FilmEncoder {
  public:
   WebpEncoder(const std::filesystem::path& file, int width, int height, double frame_rate)
@@ -36,10 +47,11 @@ class WebpEncoder : public FilmEncoder {
     frames_ += frames;
   }
 
-  void close() override {
+  void close(const std::string& comment) override {
     WebPData film;
     WebPDataInit(&film);
     if (WebPAnimEncoderAdd(encoder_.get(), nullptr, now(), nullptr) == 0 || WebPAnimEncoderAssemble(encoder_.get(), &film) == 0) fail();
+    if (!comment.empty()) add_description(film, comment);
     const std::string bytes(reinterpret_cast<const char*>(film.bytes), film.size);
     WebPDataClear(&film);
     out_.write(bytes);

@@ -36,6 +36,14 @@ std::vector<std::string> arguments_for(const std::filesystem::path& file, int wi
           "file:" + file.string()};
 }
 
+// XMP metadata at the end of the file: length, kind and UUID of such a box (XMP specification, part 3), then the packet.
+std::string xmp_box(const std::string& description) {
+  constexpr std::string_view kind = "uuid\xbe\x7a\xcf\xcb\x97\xa9\x42\xe8\x9c\x71\x99\x94\x91\xe3\xaf\xac";
+  const std::string packet = xmp_packet(description);
+  const std::size_t length = 4 + kind.size() + packet.size();  // less than 64 KiB
+  return std::string{'\0', '\0', static_cast<char>(length >> 8), static_cast<char>(length & 0xff)} + std::string(kind) + packet;
+}
+
 // In the folder of the film, with the id of this process in its name.
 std::filesystem::path sibling_file(const std::filesystem::path& file, const char* ending) {
   return file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()) + ending);
@@ -52,8 +60,9 @@ class VideoEncoder : public FilmEncoder {
     for (long i = 0; i < frames; ++i) add(picture);
   }
 
-  void close() override {
+  void close(const std::string& comment) override {
     if (const int code = finish(); code != 0) fail("ffmpeg ended with " + std::to_string(code));
+    if (!comment.empty()) std::ofstream(unfinished_, std::ios::binary | std::ios::app) << xmp_box(comment);
     std::error_code error;
     std::filesystem::rename(unfinished_, file_, error);
     if (error) fail(error.message());

@@ -46,6 +46,7 @@ void choice_row(const ForceParameter& row, double& value, const PanelInput& inpu
 void value_row(const ForceParameter& row, double& value, double reset_value, Panels& panels) {
   NumberField field = field_of_row(row, value);
   field.default_value = reset_value;
+  field.typed = row.valid();
   if (const auto changed = number_row(field, panels)) value = *changed;
 }
 

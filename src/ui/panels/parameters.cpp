@@ -33,7 +33,8 @@ NumberField field_of(const Parameter& row, const ControlRanges& controls, double
                     .value = value,
                     .integer = row.kind == Parameter::Kind::Integer,
                     .logarithmic = row.logarithmic,
-                    .zero_text = row.zero_text};
+                    .zero_text = row.zero_text,
+                    .typed = allowed_range(row)};
   const bool is_stiffness = &row == &stiffness_parameter || &row == &new_stiffness_parameter;
   if (is_stiffness && controls.stiffness_max > 0.0) {
     field.min = controls.stiffness_min;
