@@ -202,7 +202,8 @@ bool solve_resting(int c, real h, real radius, Free path, out real3 x, out real3
 // The path of the point: a parabola from `time` on, with the correction of the method's path in v.
 real3 px, pv, pa, correction, free_correction, free_acceleration, start_x, start_v;  // start_v: without what contacts at rest do without work
 real path_time, base, left, velocity_change, radius_of_point, work_of_forces, pushed;  // base: of path times, since the start of the substep
-bool is_changed, is_listed, has_impact, stays;
+bool is_changed, is_listed;
+real3 displaced;  // [m], until the end of the substep, by the changes of velocity of impacts with a rebound
 real3 velocity;  // that impulses change
 
 // What it may touch.
@@ -444,8 +445,7 @@ real rest_speed(int c, real t, Gap gap, real3 v) {
 // The impact at a time, with all others at the same time.
 void respond(int earliest, real t, bool may_rebound) {
   real fastest = 0.0;
-  bool any = false;
-  stays = false;
+  bool any = false, rebounds = false;
   advance(t);
   for (int n = 0; n < COLLIDERS; ++n) {
     int c = n == 0 ? earliest : n <= earliest ? n - 1 : n;
@@ -459,7 +459,7 @@ void respond(int earliest, real t, bool may_rebound) {
     touches[c].is_together = true;
     touches[c].normal = gap.normal;
     touches[c].rebounds = may_rebound && approach > rest_speed(c, t, gap, v);
-    stays = stays || !touches[c].rebounds;
+    rebounds = rebounds || touches[c].rebounds;
     touches[c].min_velocity = touches[c].rebounds ? colliders[c].spin.w * approach : real(0.0);
     touches[c].impulse = 0.0;
     touches[c].friction = real3(0.0);
@@ -474,8 +474,8 @@ void respond(int earliest, real t, bool may_rebound) {
   work_of_forces += dot(free_acceleration, px - start_x);
   start_x = px;
   free_acceleration -= substeps.w / (1.0 + 0.5 * passing + passing * passing / 12.0) * (velocity - pv);
+  if (rebounds) displaced += (left - t) * (velocity - pv);
   pv = velocity;
-  has_impact = true;
   note_change();
   // without a rebound, the correction of the method's path must not separate them either
   for (int c = 0; c < COLLIDERS; ++c)
@@ -559,7 +559,7 @@ void add_works(int i, real work, real pushed, real3 v, Free path) {
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= points) return;
-  to[2 * points + i] = real4(0.0);  // by which impacts displace it; w: it stays
+  to[2 * points + i] = real4(0.0);  // by which impacts displace it
   if (from[i].w == 0.0) return;
   Free path = Free(from[i].xyz, from[points + i].xyz, to[i].xyz, to[points + i].xyz);
   real h = substeps.x;
@@ -574,7 +574,7 @@ void main() {
   real3 x, v;
   real work;
   pushed = 0.0;
-  has_impact = stays = false;
+  displaced = real3(0.0);
   if (count != 1 || !solve_resting(only, h, radius_of_point, path, x, v, work)) {
     simulate(h, path);
     if (!is_changed) return;
@@ -587,7 +587,8 @@ void main() {
 #endif
   to[i].xyz = x;
   to[points + i].xyz = v;
-  if (has_impact) to[2 * points + i] = real4(x - path.x1, stays);
+  bool has_impact = displaced != real3(0.0);
+  to[2 * points + i].xyz = displaced;
 #if WORKS
   add_works(i, work, pushed, v, path);
 #endif

@@ -3,7 +3,7 @@
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
-  if (i >= points || from[i].w == 0.0 || (events[substep] & 4u) == 0u || from[acting + i].w != 0.0) return;
+  if (i >= points || from[i].w == 0.0 || (events[substep] & 4u) == 0u) return;
   dashpot_force = real3(0.0);
   springs_force(i, from[i].xyz, from[acting + i].xyz);
   real3 change = from[i].w / (1.0 + substeps.x * substeps.z) * dashpot_force, v = from[points + i].xyz;

@@ -42,28 +42,24 @@ double energy_of_limited(const Plan& plan, const ContactWorkspace& before, doubl
   return mechanical_energy(plan, before.time + 0.5 * h, motion) + lag_energy(plan, before, motion.v);
 }
 
-// The impulse of a dashpot is d times the change of its length. Where impacts have changed that, so do the impulses on both ends, of which
-// a collider takes up the one on a point that stays on it. The step of a method that does not resolve a dashpot does not see its force
-// either.
-void damp_impacts(const Plan& plan, std::span<Displacement> displaced, double h, Motion& motion) {
+// The impulse of a dashpot is d times the change of its length. Where impacts have changed that, so do the impulses on both ends. The step
+// of a method that does not resolve a dashpot does not see its force either.
+void damp_impacts(const Plan& plan, std::span<Vec3> displaced, double h, Motion& motion) {
   if (plan.has_dashpots()) {
     const double before = kinetic_energy(plan, motion.v), resolved = 1.0 / (1.0 + h * plan.spectrum.dashpot_rate);
-    const auto push = [&](Index i, const Vec3& impulse) {
-      if (!displaced[i].stays) add_vector(plan, motion.v, i, plan.inverse_mass_in_contact()[i] * impulse);
-    };
     for_each_spring(plan, [&](Index i, Index j, Index s) {
-      const Vec3 change = displaced[i].by - displaced[j].by;
+      const Vec3 change = displaced[i] - displaced[j];
       if (change == Vec3(0.0)) return;
       const Vec3 along = difference_at(plan, motion.x, i, j);
       const double length = glm::length(along), damping = response_of(plan, s, motion.time, length).damping;
       if (length == 0.0 || damping == 0.0) return;
       const Vec3 impulse = resolved * damping * glm::dot(along, change) / (length * length) * along;
-      push(i, -impulse);
-      push(j, impulse);
+      add_vector(plan, motion.v, i, -plan.inverse_mass_in_contact()[i] * impulse);
+      add_vector(plan, motion.v, j, plan.inverse_mass_in_contact()[j] * impulse);
     });
     motion.energy.add(EnergyCause::Dashpots, kinetic_energy(plan, motion.v) - before);
   }
-  std::ranges::fill(displaced, Displacement{});
+  std::ranges::fill(displaced, Vec3(0.0));
 }
 
 // In a fixed order, as eight sums side by side.
@@ -134,7 +130,7 @@ void solve_point(const Plan& plan, Index i, double h, TouchSimulation& simulatio
   touches.first_touch = std::min(touches.first_touch, pushed != Vec3(0.0) ? 0.0 : simulation.first_touch());
   touches.first_impact = std::min(touches.first_impact, simulation.first_impact());
   before.work[i] = path.contact_work();
-  if (path.has_impact) before.displaced[i] = {path.x - vector_at(plan, motion.x, i), path.stays};
+  before.displaced[i] = path.displaced;
   set_vector(plan, motion.x, i, path.x);
   set_vector(plan, motion.v, i, path.v - path.velocity_correction);
 }

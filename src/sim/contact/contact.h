@@ -32,10 +32,10 @@ struct ContactWorkspace {
   // Of each point: what became of it, and the work of the contact [J] in addition to the work of the forces.
   std::vector<RestingPoints::Outcome> outcome;
   std::vector<double> work;
-  std::vector<Vec3> push_out;           // [m], of each point, out of colliders in which it was before the substep
-  Field without_push;                   // [m], positions after the substep without that
-  std::vector<Displacement> displaced;  // each point
-  const PowerWork* works = nullptr;     // of the step, if the method sweeps over dashpots
+  std::vector<Vec3> push_out;        // [m], of each point, out of colliders in which it was before the substep
+  Field without_push;                // [m], positions after the substep without that
+  std::vector<Vec3> displaced;       // [m], of each point, by impacts
+  const PowerWork* works = nullptr;  // of the step, if the method sweeps over dashpots
   PairSolver pairs;
   std::vector<TouchSimulation> alone;  // per thread: of points that touch no others
   SurfaceSolver surface;

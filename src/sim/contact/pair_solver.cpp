@@ -27,7 +27,7 @@ constexpr long max_excess = 10'000'000;
 }  // namespace
 
 bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion,
-                         std::span<Displacement> displaced) {
+                         std::span<Vec3> displaced) {
   has_failed_ = false;
   near_.clear();
   is_involved_.assign(plan.points, 0);
@@ -169,12 +169,12 @@ bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
-void PairSolver::write(const Plan& plan, Motion& motion, std::span<Displacement> displaced) {
+void PairSolver::write(const Plan& plan, Motion& motion, std::span<Vec3> displaced) {
   work_ = 0.0;
   for (const PointPath& path : simulation_.paths) {
     if (!path.is_changed) continue;
     work_ += path.contact_work();
-    if (path.has_impact) displaced[path.point] = {path.x - vector_at(plan, motion.x, path.point), path.stays};
+    displaced[path.point] = path.displaced;
     set_vector(plan, motion.x, path.point, path.x);
     set_vector(plan, motion.v, path.point, path.v - path.velocity_correction);
   }

@@ -34,7 +34,7 @@ class PairSolver {
   // Corrects the step of h from (x0, v0) to (motion.x, motion.v) for all points that may touch another, contact with obstacles included.
   // Returns whether anything touched. `displaced`: written where there were impacts.
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion,
-               std::span<Displacement> displaced);
+               std::span<Vec3> displaced);
   // Per point: not 0, if the last call dealt with it, so that it needs nothing else.
   std::span<const char> involved() const { return is_involved_; }
   // The pairs that may have touched in the last call, in ascending order.
@@ -62,7 +62,7 @@ class PairSolver {
   bool involve_pairs(const Plan& plan, const Field& x0);
   void fill(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, const Motion& motion);
   bool is_within_bounds(const Plan& plan, const Field& x0, double h);
-  void write(const Plan& plan, Motion& motion, std::span<Displacement> displaced);
+  void write(const Plan& plan, Motion& motion, std::span<Vec3> displaced);
 
   PairSearch search_;
   std::vector<PointPair> pairs_, near_;

@@ -37,9 +37,9 @@ struct PointPath {
   // [m], [m/s], at the start of the substep, or at the last impact; v with the part of the correction that contacts at rest leave, without
   // work, at the start
   Vec3 start_x{0.0}, start_v{0.0};
-  bool is_changed = false;                 // by contact
-  bool has_impact = false, stays = false;  // the last impact was against something without a rebound
-  bool is_listed = false;                  // among the paths of TouchSimulation::changed
+  bool is_changed = false;  // by contact
+  Vec3 displaced{0.0};      // [m], until the end of the substep, by the changes of velocity of impacts with a rebound
+  bool is_listed = false;   // among the paths of TouchSimulation::changed
 
   Vec3 position(double t) const { return x + (t - time) * (v + 0.5 * (t - time) * a); }
   Vec3 velocity(double t) const { return v + (t - time) * a; }
@@ -58,19 +58,12 @@ struct PointPath {
       free_acceleration += change;
     }
     v = velocity;
-    has_impact = true;
   }
   // [J], of contact so far, in addition to that of the forces: m (v^2 - v0^2) / 2 - m a (x - x0).
   double contact_work() const {
     const double kinetic = 0.5 * (glm::dot(v, v) - glm::dot(start_v, start_v));
     return (kinetic - work_of_forces - glm::dot(free_acceleration, x - start_x)) / inverse_mass;
   }
-};
-
-// By impacts in a substep.
-struct Displacement {
-  Vec3 by{0.0};        // [m]
-  bool stays = false;  // it has not rebounded
 };
 
 // A point and another point or an obstacle, which it touches where their distance is `distance`.

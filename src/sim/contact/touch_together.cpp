@@ -84,7 +84,6 @@ void TouchSimulation::respond() {
   for (const std::size_t t : together_)
     for (const std::size_t p : {touches[t].first, touches[t].second}) {
       paths[p].advance(time_);
-      paths[p].stays = false;
       velocity_[p] = paths[p].v;
       fastest = std::max(fastest, glm::length(paths[p].v));
     }
@@ -99,8 +98,8 @@ void TouchSimulation::respond() {
       adhere(touch);
     }
     for (const std::size_t p : {touch.first, touch.second}) {
+      if (touch.rebounds) paths[p].displaced += (h_ - time_) * (velocity_[p] - paths[p].v);
       if (paths[p].inverse_mass != 0.0) paths[p].rebound(velocity_[p], h_);
-      paths[p].stays = paths[p].stays || !touch.rebounds;
       change(p);
     }
   }
