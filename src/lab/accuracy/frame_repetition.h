@@ -31,7 +31,7 @@ class FrameRepetition {
   // Abandons the repetition in progress and the result of the last one: the System is not the same any more.
   void reset();
 
-  // Of the last repetition; none before the first one since `reset`, or if that failed.
+  // Result of the last repetition; empty before the first one after `reset`, and if the last one failed.
   const std::optional<Result>& result() const { return result_; }
   bool has_failed() const { return has_failed_; }
 

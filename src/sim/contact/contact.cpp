@@ -42,9 +42,10 @@ double energy_of_limited(const Plan& plan, const ContactWorkspace& before, doubl
   return mechanical_energy(plan, before.time + 0.5 * h, motion) + lag_energy(plan, before, motion.v);
 }
 
-// The impulse of a dashpot is d times the change of its length. Where impacts have changed that, so do the impulses on both ends. The step
-// of a method that does not resolve a dashpot does not see its force either.
+// The impulse of a dashpot is d times the change of its length. Where rebounds have changed that, so do the impulses on both ends. The
+// factor `resolved` bounds them where h is long compared with the decay time of the dashpots.
 void damp_impacts(const Plan& plan, std::span<Vec3> displaced, double h, Motion& motion) {
+  if (std::ranges::all_of(displaced, [](const Vec3& by) { return by == Vec3(0.0); })) return;
   if (plan.has_dashpots()) {
     const double before = kinetic_energy(plan, motion.v), resolved = 1.0 / (1.0 + h * plan.spectrum.dashpot_rate);
     for_each_spring(plan, [&](Index i, Index j, Index s) {
