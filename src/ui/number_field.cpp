@@ -171,11 +171,11 @@ std::optional<NumberChange> changed_row(const NumberField& field, Panels& panels
     value = *panels.field.typed_number;
     is_drag = false;
     panels.field.typed_number.reset();
-    changed = !std::isnan(value);
-    if (!changed)
+    changed = allowed_range(field).contains(value);
+    if (std::isnan(value))
       panels.show_toast("Not a number; " + std::string(field.label) + " is unchanged");
-    else if (!allowed_range(field).contains(value))
-      panels.show_toast(std::string(field.label) + " must be " + bounds_text(allowed_range(field), field.unit));
+    else if (!changed)
+      panels.show_toast(std::string(field.label) + " must be " + bounds_text(allowed_range(field), field.unit) + "; it is unchanged");
   }
 
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {

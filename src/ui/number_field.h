@@ -46,8 +46,8 @@ struct NumberChange {
   bool is_drag;  // not typed, nor reset
 };
 
-// Drag to change, Ctrl+click to type, right-click for the default. Returns the new value if it changed, clamped to the
-// slider if it is not allowed. A typed number counts when typing is finished.
+// Drag to change, Ctrl+click to type, right-click for the default. Returns the new value if it changed. A typed number
+// counts when typing is finished, if it is allowed.
 std::optional<NumberChange> changed_row(const NumberField& field, Panels& panels);
 // The same, for a single value.
 std::optional<double> number_row(const NumberField& field, Panels& panels);

@@ -33,7 +33,7 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
-// Parses and clamps the typed text; reports invalid input.
+// Parses the typed text; reports invalid input.
 std::optional<double> taken(const TypedField& field, const std::string& text, Panels& panels) {
   if (trimmed(text).empty()) return std::nullopt;
   const auto number = number_typed(text, field.infinity_text);
@@ -42,10 +42,10 @@ std::optional<double> taken(const TypedField& field, const std::string& text, Pa
     return std::nullopt;
   }
   if (std::isinf(*number) && !field.infinity_text.empty()) return number;
-  const double value = std::clamp(*number, field.min, field.max);
-  if (value != *number)
-    panels.show_toast(std::string(field.label) + " must be " + bounds_text({.min = field.min, .max = field.max}, field.unit));
-  return value;
+  const Bounds range{.min = field.min, .max = field.max};
+  if (range.contains(*number)) return number;
+  panels.show_toast(std::string(field.label) + " must be " + bounds_text(range, field.unit) + "; it is unchanged");
+  return std::nullopt;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ std::optional<double> number_typed(std::string_view text, std::string_view infin
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  // beyond the range of double: clamped like any value out of range
+  // beyond the range of double: refused like any value out of range
   if (error == std::errc::result_out_of_range)
     return text.find("e-") != text.npos || text.find("E-") != text.npos ? 0.0 : text.starts_with('-') ? -INFINITY : INFINITY;
   if (error != std::errc() || end != text.data() + text.size() || std::isnan(value)) return std::nullopt;
