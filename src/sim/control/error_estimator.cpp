@@ -8,7 +8,6 @@
 
 #include "sim/control/constants.h"
 #include "sim/control/frame_error.h"
-#include "sim/control/step_controller.h"
 #include "sim/forces/spring_laws.h"
 #include "sim/forces/spring_limits.h"
 #include "sim/step/divergence.h"
@@ -60,32 +59,22 @@ int order_of(const System& system, const Integrator& method, const FrameEnd& end
   return is_smooth ? free_order(system, method) : 1;
 }
 
-int runs_needed(const Integrator& method) { return method.order > 2 ? 3 : 2; }
-
-int first_substeps(const Integrator& method, int substeps) {
-  const int factor = 1 << (runs_needed(method) - 1);
-  return (substeps + factor - 1) / factor;
-}
+int first_substeps(int substeps) { return (substeps + 1) / 2; }
 
 FrameEnd& FrameRuns::add() {
-  std::swap(ends_[1], ends_[2]);
   std::swap(ends_[0], ends_[1]);
   ++count_;
   return ends_[0];
 }
 
 bool FrameRuns::have_contacts() const {
-  return std::ranges::any_of(last_two(), [](const FrameEnd& end) { return end.has_touched || !end.broken.empty(); });
+  return std::ranges::any_of(all(), [](const FrameEnd& end) { return end.has_touched || !end.broken.empty(); });
 }
 
-bool FrameRuns::have_events() const { return have_contacts() || std::ranges::any_of(last_two(), &FrameEnd::has_flipped); }
+bool FrameRuns::have_events() const { return have_contacts() || std::ranges::any_of(all(), &FrameEnd::has_flipped); }
 
 bool FrameRuns::have_jumps() const {
-  return std::ranges::any_of(last_two(), [](const FrameEnd& end) { return end.has_impact || end.has_flipped || !end.broken.empty(); });
-}
-
-bool FrameRuns::are_enough(const System& system, const Integrator& method, double share) const {
-  return count_ >= runs_needed(method) || (count_ == 2 && !have_events() && is_accepted(error(system, method), share));
+  return std::ranges::any_of(all(), [](const FrameEnd& end) { return end.has_impact || end.has_flipped || !end.broken.empty(); });
 }
 
 double FrameRuns::error(const System& system, const Integrator& method) const {
@@ -99,11 +88,7 @@ double FrameRuns::error(const System& system, const Integrator& method) const {
     const double of_velocities = weighted_distance(system, coarse.velocity, fine.velocity, 1.0).rms / frequency_;
     return std::sqrt(of_positions * of_positions + of_velocities * of_velocities);
   };
-  const double last = distance(ends_[1], ends_[0]);
-  if (count_ < 3 || runs_needed(method) < 3) return last / (std::min(reduction, control::max_assumed_reduction) - 1.0);
-  const double before = distance(ends_[2], ends_[1]);
-  const double observed = before < reduction * last ? std::max(before / last, control::min_reduction) : reduction;
-  return std::max(last, before / reduction) / (observed - 1.0);
+  return distance(ends_[1], ends_[0]) / (std::min(reduction, control::max_assumed_reduction) - 1.0);
 }
 
 double FrameRuns::velocity_error(const System& system) const {

@@ -1,4 +1,4 @@
-// The error of a frame, from several runs of it, each with twice the substeps of the one before. The finest one is kept.
+// The error of a frame, from two runs of it, the second with more substeps than the first, usually twice as many. The second is kept.
 #pragma once
 
 #include <array>
@@ -28,14 +28,10 @@ void set_end(FrameEnd& end, const Frame& frame, const Plan& plan, const State& s
 // The order with which the error of such a frame falls: that of the method on this scene, but 1 where something touched or broke.
 int order_of(const System& system, const Integrator& method, const FrameEnd& end);
 
-// How many runs an estimate takes at most: a pair shows the error of a method of second order, which is close to its asymptotic range at
-// the tolerances of an interactive program; those of higher order often are not, and a third run shows it.
-int runs_needed(const Integrator& method);
+// The substeps of the first of two runs whose second one takes so many.
+int first_substeps(int substeps);
 
-// The substeps of the first run of a frame whose last one takes so many.
-int first_substeps(const Integrator& method, int substeps);
-
-// The runs of one frame, each with more substeps than the one before, usually twice as many.
+// The last two runs of one frame.
 class FrameRuns {
  public:
   // For a scene whose fastest vibration has this frequency [rad/s]; 0: nothing vibrates.
@@ -43,29 +39,25 @@ class FrameRuns {
   // Where the end of the next run goes.
   FrameEnd& add();
   int count() const { return count_; }
-  // Whether they show the error: those that the method needs, or two that are within the `share` [m] of the tolerance even as runs of a
-  // method of second order.
-  bool are_enough(const System& system, const Integrator& method, double share) const;
   const FrameEnd& finest() const { return ends_[0]; }
   FrameEnd& finest() { return ends_[0]; }
-  // In one of the last two: whether something touched or broke; or a spring flipped, too; and whether a velocity or a force jumped, because
+  // In one of them: whether something touched or broke; or a spring flipped, too; and whether a velocity or a force jumped, because
   // something struck, broke or flipped.
   bool have_contacts() const;
   bool have_events() const;
   bool have_jumps() const;
-  // RMS error [m] of the finest over the free points, from at least two runs:
+  // RMS error [m] of the finest over the free points:
   //   d(n) / (q - 1),  d(n)^2 = |x(n) - x(n/2)|^2 + |v(n) - v(n/2)|^2 / frequency^2     (Richardson)
   // Positions alone may agree by chance while a vibration is out of phase.
-  // q is 2^p, but at most 4, for two runs. For three it is the factor by which the differences fell, from 2 to 2^p; and the last difference
-  // counts as at least the one before it, divided by 2^p. Infinity if a run failed, or if springs broke in only one of them.
+  // q is 2^p, but at most max_assumed_reduction. Infinity if a run failed, or if springs broke in only one of them.
   double error(const System& system, const Integrator& method) const;
-  // The same of the velocities [m/s], of the last two runs.
+  // The distance of the velocities [m/s].
   double velocity_error(const System& system) const;
 
  private:
-  std::span<const FrameEnd> last_two() const { return std::span(ends_).first(count_ > 1 ? 2 : 1); }
+  std::span<const FrameEnd> all() const { return std::span(ends_).first(count_ > 1 ? 2 : 1); }
 
-  std::array<FrameEnd, 3> ends_;  // the finest first
+  std::array<FrameEnd, 2> ends_;  // the finest first
   int count_ = 0;
   double frequency_ = 0.0;  // [rad/s]
 };

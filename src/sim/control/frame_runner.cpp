@@ -96,7 +96,7 @@ void FrameRunner::start(Plan& plan, int substeps) {
 // The first of the runs whose last one has at least so many substeps.
 void FrameRunner::start_runs(Plan& plan, int substeps) {
   runs_.restart(plan.spectrum.omega);
-  start(plan, std::max(first_substeps(*choice_.method, substeps), choice_.min_substeps));
+  start(plan, std::max(first_substeps(substeps), choice_.min_substeps));
 }
 
 void FrameRunner::substep(Plan& plan) {
@@ -117,7 +117,7 @@ void FrameRunner::finish_run(Plan& plan) {
     return accept(std::nullopt, 0.0, 1);
   }
   set_end(runs_.add(), frame_, plan, start_, scratch_);
-  if (runs_.are_enough(*system_, *choice_.method, share_)) return judge(plan);
+  if (runs_.count() >= 2) return judge(plan);
   other_cost_ += cost_of_run;
   start(plan, 2 * settings_.substeps);
 }
@@ -173,8 +173,8 @@ void FrameRunner::accept(std::optional<double> error, double controlled, int ord
   choice_.ratio = std::isfinite(ratio) ? ratio : 0.0;
   // the error with the fewest substeps, which the next frames may have
   const double longer = std::max(1.0, static_cast<double>(choice_.substeps) / choice_.min_substeps);
-  const bool is_calm_now = first_substeps(*choice_.method, choice_.substeps) <= choice_.min_substeps &&
-                           ratio * portable::pow(longer, order) < control::calm_ratio;
+  const bool is_calm_now =
+      first_substeps(choice_.substeps) <= choice_.min_substeps && ratio * portable::pow(longer, order) < control::calm_ratio;
   choice_.until_estimate = is_calm_now ? control::max_unestimated : 0;
 }
 

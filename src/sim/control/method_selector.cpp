@@ -53,11 +53,11 @@ double MethodSelector::compute(const Scene& scene, const Integrator& method, int
   return cost;
 }
 
-// The frame with this last number of substeps, and with fewer before, as its estimate takes.
+// The frame with half of these substeps, and with all.
 FrameTrial MethodSelector::attempt(const Scene& scene, const Integrator& method, int substeps, double max_cost) {
   FrameTrial trial{.method = &method};
   runs_.restart(plan_.spectrum.omega);
-  for (int n = first_substeps(method, substeps); !runs_.are_enough(scene.system, method, scene.share); n *= 2) {
+  for (int n = first_substeps(substeps); runs_.count() < 2; n *= 2) {
     trial.substeps = n;
     trial.cost += compute(scene, method, n, max_cost - trial.cost, runs_.add());
   }
@@ -81,9 +81,7 @@ std::vector<MethodSelector::Candidate> MethodSelector::candidates_for(const Step
     if (!method.for_production || method.stability == Stability::Adaptive) continue;
     const auto min = min_automatic_substeps(limits, method, frame_rate);
     if (!min) continue;
-    // if two runs are enough
-    const double cost = control::cost_of_estimate * model.expected(method, 2 * *min);
-    list.push_back({.method = &method, .substeps = *min << (runs_needed(method) - 1), .cost = cost});
+    list.push_back({.method = &method, .substeps = 2 * *min, .cost = control::cost_of_estimate * model.expected(method, 2 * *min)});
   }
   return list;
 }
