@@ -29,9 +29,6 @@ inline constexpr double max_cost = 1000.0, max_cost_factor = 30.0;
 inline constexpr double short_frame = 0.2;
 // [1] Cost of the runs of an estimate, relative to the last run: the one before has half of its substeps.
 inline constexpr double cost_of_estimate = 1.5;
-// When methods are compared, one that misses the share gets the substeps that its order requires, times `trial_margin`. The substeps grow
-// at least and at most by these factors, and by `growth_on_failure` if the runs do not agree.
-inline constexpr double trial_margin = 1.1, min_trial_growth = 1.5, max_trial_growth = 1e3, growth_on_failure = 4.0;
 
 // [1] How much half the step is taken to reduce the error, at most. Methods of second order are in their asymptotic range at the tolerances
 // of an interactive program; those of higher order often are not, and count as they do.

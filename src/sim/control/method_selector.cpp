@@ -10,7 +10,6 @@
 #include "sim/control/cost_model.h"
 #include "sim/control/frame_error.h"
 #include "sim/control/step_controller.h"
-#include "sim/model/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -106,19 +105,14 @@ FrameTrial MethodSelector::select(const Plan& plan, const System& system, const 
       best = {trial.method, trial.substeps, trial.error, meets ? trial.cost : max_cost};
       is_met = meets;
     }
-    // of what is too far from its asymptotic range, or diverged, the order says nothing
     const int order = order_of(system, *trial.method, runs_.finest());
-    const double ratio = ratio_to_aim(trial.error, share);
-    const double factor = std::isfinite(ratio) ? std::clamp(control::trial_margin * portable::pow(ratio, 1.0 / order),
-                                                            control::min_trial_growth, control::max_trial_growth)
-                                               : control::growth_on_failure;
-    const double more = factor * trial.substeps;
+    const int more = refined_substeps({.substeps = trial.substeps, .error = trial.error, .order = order}, share);
     if (is_small || more > max_automatic_substeps || ++next->attempts > control::max_rejections) {
       candidates.erase(next);
       continue;
     }
-    next->substeps = static_cast<int>(more);
-    next->cost = factor * trial.cost;
+    next->substeps = more;
+    next->cost = trial.cost * more / trial.substeps;
   }
   return best;
 }
