@@ -102,7 +102,7 @@ TEST(Interrupt, ACommentInAFilmSaysWhereItEnds) {
     const std::string command = std::string("capture cloth --seconds 1e5 --size 320x180 -q --out ") + name;
     const auto start_time = std::chrono::steady_clock::now();  // GIF and WebP are written at the end
     const auto has_pictures = [&] {
-      return files_in(scratch.folder, ".a") > 0 || std::chrono::steady_clock::now() - start_time > std::chrono::seconds(3);
+      return files_in(scratch.folder, ".a") > 0 || std::chrono::steady_clock::now() - start_time > std::chrono::seconds(2);
     };
     EXPECT_EQ(code_after(SIGINT, command, scratch.folder, has_pictures, errors), 130);
     const std::string error = contents(errors), film = contents(scratch.folder / name),
