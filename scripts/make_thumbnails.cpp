@@ -4,7 +4,7 @@
 
 #include "base/errors.h"
 #include "batch/offscreen.h"
-#include "cli/thumbnail.h"
+#include "thumbnail.h"
 
 int main(int count, char** arguments) {
   if (count < 2) return 2;

@@ -4,7 +4,10 @@
 
 #include <atomic>
 #include <chrono>
+#include <iostream>
 
+#include "base/number_text.h"
+#include "base/printable.h"
 #include "batch/run_frames.h"
 
 namespace hooke {
@@ -41,6 +44,14 @@ void catch_interrupts() {
 bool was_interrupted() { return interrupted != 0; }
 
 int exit_interrupted() { return 128 + interrupted; }
+
+int report_interrupted(const std::string& what, const std::vector<std::optional<std::string>>& files, double time) {
+  std::string names;
+  for (const std::optional<std::string>& file : files)
+    if (file && *file != "-") names += (names.empty() ? " in " : ", ") + printable(*file);
+  std::cerr << "Interrupted: the " << what << names << " end at t = " << number_text(time) << " s.\n";
+  return exit_interrupted();
+}
 
 void throw_if_interrupted() {
   if (was_interrupted()) throw Interrupted();

@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <cctype>
 #include <iostream>
 
@@ -29,14 +30,12 @@ int report(const std::string& what, int code) {
   return code;
 }
 
-// CLI11 would only say that a command is required.
-void check_command(const std::string& name, const DeclaredCommands& declared) {
+// CLI11 would only say that a command is required. The name is empty where there is none.
+std::string why_no_command(const CLI::App& app, const std::string& name) {
   std::string names;
-  for (const auto& [sub, work] : declared) {
-    if (sub->get_name() == name) return;
-    names += (names.empty() ? "" : ", ") + sub->get_name();
-  }
-  throw UsageError(printable(name, 80) + ": no such command: " + must_be_one_of(names, name) + " (see --help)");
+  for (const CLI::App* command : app.get_subcommands(nullptr)) names += (names.empty() ? "" : ", ") + command->get_name();
+  if (!name.empty()) return printable(name, 80) + ": no such command: " + must_be_one_of(names, name);
+  return "no command: must be one of " + names + ", as in hooke-headless run cloth --seconds 1";
 }
 
 // An option that the command does not have, which CLI11 would only report after a required one that is missing; empty: there is none.
@@ -61,26 +60,33 @@ std::string unknown_option(const CLI::App& command, int argc, char** argv) {
 
 std::string describe(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
   const std::vector<CLI::App*> parsed = app.get_subcommands();
-  if (std::string unknown = unknown_option(parsed.empty() ? app : *parsed.front(), argc, argv); !unknown.empty()) return unknown;
+  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  if (std::string unknown = unknown_option(command, argc, argv); !unknown.empty()) return unknown;
+  if (parsed.empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return why_no_command(app, {});
   std::string what = printable(error.what());
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     std::string words;  // CLI11 reverses them
     for (const std::string& word : app.remaining(true)) words += (words.empty() ? "" : " ") + word;
     return "not expected: " + printable(words);
   }
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && what.ends_with(" missing"))
-    return what.substr(0, what.find(' ')) + " its value is missing";
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+    return what.substr(0, what.find(' ')) + (what.ends_with(" missing") ? " its value is missing" : " must be given once");
   // other numbers and words are validated (within, one_of)
   constexpr std::string_view conversion = "Could not convert: ";
   const std::size_t equals = what.find(" = ");
   if (!what.starts_with(conversion) || equals == std::string::npos) return what;
-  return what.substr(conversion.size(), equals - conversion.size()) + ": " + what.substr(equals + 3) + ": not a whole number";
+  const std::string name = what.substr(conversion.size(), equals - conversion.size());
+  const CLI::Option* option = command.get_option_no_throw(name);
+  const bool is_flag = option != nullptr && option->get_items_expected_max() == 0;
+  return name + ": " + what.substr(equals + 3) + (is_flag ? ": must have no value" : ": not a whole number");
 }
 
 int handle(int argc, char** argv) {
   CLI::App app;
   const DeclaredCommands declared = declare_command_line(app);
-  if (const std::string first = argc > 1 ? argv[1] : ""; !first.empty() && first[0] != '-') check_command(first, declared);
+  const std::string first = argc > 1 && argv[1][0] != '-' ? argv[1] : "";
+  if (!first.empty() && std::ranges::none_of(declared, [&](const auto& row) { return row.first->get_name() == first; }))
+    return report(why_no_command(app, first) + " (see --help)", exit_code::wrong_usage);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -106,9 +112,7 @@ int main(int argc, char** argv) {
     return report(error.what(), exit_code::wrong_usage);
   } catch (const InputError& error) {
     return report(error.what(), exit_code::refused);
-  } catch (const FileError& error) {
-    return report(error.what(), exit_code::file_error);
-  } catch (const std::exception& error) {
+  } catch (const std::exception& error) {  // FileError, or another failure of the system
     return report(error.what(), exit_code::file_error);
   }
 }

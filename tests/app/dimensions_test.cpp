@@ -5,11 +5,10 @@
 #include "scene/parameters.h"
 #include "support/flat_scene.h"
 #include "support/gui_fixture.h"
+#include "support/modifiers.h"
 
 namespace hooke {
 namespace {
-
-constexpr Modifiers control{.control = true}, control_shift{.control = true, .shift = true};
 
 Scene two_points() {
   TestSim sim;

@@ -8,13 +8,12 @@
 #include "scene/shape.h"
 #include "sim/methods/integrator.h"
 #include "support/gui_fixture.h"
+#include "support/modifiers.h"
 #include "support/test_sim.h"
 #include "ui/search_results.h"
 
 namespace hooke {
 namespace {
-
-constexpr Modifiers control{.control = true}, control_shift{.control = true, .shift = true};
 
 // A pair of points connected by a spring, and a separate point.
 Scene pair_and_one(int dimensions = 2) {

@@ -5,12 +5,11 @@
 #include "lab/lab.h"
 #include "support/flat_scene.h"
 #include "support/gui_fixture.h"
+#include "support/modifiers.h"
 #include "support/parts.h"
 
 namespace hooke {
 namespace {
-
-constexpr Modifiers control{.control = true};
 
 glm::dvec2 view_size(double width, double height) {
   const Rect scene = lay_out(width, height, 1.0).scene;

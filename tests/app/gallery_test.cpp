@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/thumbnail.h"
 #include "formats/gallery.h"
 #include "support/gui_fixture.h"
 #include "support/picture.h"
+#include "thumbnail.h"
 
 namespace hooke {
 namespace {

@@ -10,11 +10,10 @@
 #include "scene/shape.h"
 #include "sim/control/automatic.h"
 #include "support/gui_fixture.h"
+#include "support/modifiers.h"
 
 namespace hooke {
 namespace {
-
-constexpr Modifiers control{.control = true}, control_shift{.control = true, .shift = true};
 
 // Moves the sliders to one end: those that set the stiffness of springs to the maximum, that of the mass of points to the minimum.
 void make_stiff_and_light(GuiFixture& gui) {

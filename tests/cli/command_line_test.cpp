@@ -45,7 +45,11 @@ struct Usage {
 
 TEST(Headless, WrongUsageIsCodeTwoWithOneLineOnStderr) {
   for (const Usage& usage : {
-           Usage{{}, "A subcommand is required"},
+           Usage{
+               {},
+               "no command: must be one of run, bench, sweep, capture, check, convert, replay, as in hooke-headless run cloth --seconds 1"},
+           {{"run", "two_masses", "--seconds", "1", "--seconds", "2"}, "--seconds: must be given once (see --help)"},
+           {{"run", "two_masses", "--seconds", "1", "--quiet=x"}, "--quiet: x: must have no value (see --help)"},
            {{"fly"}, "fly: no such command: must be one of run, bench, "},
            {{"foo", "x"}, "foo: no such command: must be one of run, bench, "},
            {{"chek", "cloth"},

@@ -67,7 +67,11 @@ TEST(Interrupt, ARunWritesTheSamplesSoFarAndMarksThem) {
 TEST(Interrupt, ACaptureKeepsItsPicturesAndItsReport) {
   const ScratchFolder scratch;
   const std::string command = "capture two_masses --out frames --seconds 1e5 --size 64x36 --report report -q";
-  EXPECT_EQ(code_after(SIGTERM, command, scratch.folder, [&] { return files_in(scratch.folder / "frames", "frame_") > 3; }), 143);
+  const fs::path errors = scratch.folder / "errors";
+  EXPECT_EQ(code_after(
+                SIGTERM, command, scratch.folder, [&] { return files_in(scratch.folder / "frames", "frame_") > 3; }, errors),
+            143);
+  EXPECT_TRUE(contents(errors).starts_with("Interrupted: the pictures in frames end at t = ")) << contents(errors);
   const rapidjson::Document json = parse_json(contents(scratch.folder / "report" / "report.json"));
   EXPECT_TRUE(json["interrupted"].GetBool());
   EXPECT_EQ(files_in(scratch.folder / "frames", "frame_"), static_cast<long>(json["frames"].Size()));
@@ -84,7 +88,8 @@ TEST(Interrupt, TheErrorsSayWhereATableEnds) {
             143);
   const std::vector<std::string> rows = lines_of(contents(scratch.folder / "a.csv"));
   const std::string time = rows.back().substr(0, rows.back().find(','));
-  EXPECT_NE(contents(errors).find("Interrupted: the results end at t = " + number_text(std::stod(time)) + " s."), std::string::npos);
+  EXPECT_NE(contents(errors).find("Interrupted: the results in a.csv end at t = " + number_text(std::stod(time)) + " s."),
+            std::string::npos);
 }
 
 TEST(Interrupt, ACommentInAFilmSaysWhereItEnds) {
@@ -97,10 +102,11 @@ TEST(Interrupt, ACommentInAFilmSaysWhereItEnds) {
     const std::string command = std::string("capture cloth --seconds 1e5 --size 320x180 -q --out ") + name;
     const auto start_time = std::chrono::steady_clock::now();  // GIF and WebP are written at the end
     const auto has_pictures = [&] {
-      return files_in(scratch.folder, ".a") > 0 || std::chrono::steady_clock::now() - start_time > std::chrono::seconds(3);
+      return files_in(scratch.folder, ".a") > 0 || std::chrono::steady_clock::now() - start_time > std::chrono::seconds(2);
     };
     EXPECT_EQ(code_after(SIGINT, command, scratch.folder, has_pictures, errors), 130);
-    const std::string error = contents(errors), film = contents(scratch.folder / name), start = "Interrupted: the pictures end at ";
+    const std::string error = contents(errors), film = contents(scratch.folder / name),
+                      start = std::string("Interrupted: the pictures in ") + name + " end at ";
     ASSERT_TRUE(error.starts_with(start) && error.ends_with(".\n")) << error;
     EXPECT_NE(film.find("interrupted at " + error.substr(start.size(), error.size() - start.size() - 2)), std::string::npos) << name;
     EXPECT_EQ(files_in(scratch.folder, "."), 0);

@@ -12,9 +12,9 @@
 namespace hooke {
 namespace {
 
-LoadedScene load(const std::string& text, const ImportOptions& options = {}) { return parse_obj(text, "test.obj", options); }
+LoadedScene load_lines(const std::string& text, const ImportOptions& options = {}) { return parse_obj(text, "test.obj", options); }
 
-double total_mass(const System& system) {
+double mass_of_all(const System& system) {
   double sum = 0.0;
   for (const Point& point : system.points()) sum += point.mass;
   return sum;
@@ -26,52 +26,52 @@ const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
 TEST(Mesh, AConcavePolygonHasTheMassOfItsArea) {
   for (const char* corners : {"1 2 3 4 5", "4 5 1 2 3", "5 4 3 2 1"})
-    EXPECT_NEAR(total_mass(load(std::string("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf ") + corners).scene.system), 2.0, 2e-12);
+    EXPECT_NEAR(mass_of_all(load_lines(std::string("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf ") + corners).scene.system), 2.0, 2e-12);
   std::string tangle, face = "f";
   for (int i = 0; i < 40; ++i) {
     tangle += "v " + std::to_string(i * 7 % 41) + " " + std::to_string(i * i * 5 % 37) + " 0\n";
     face += " " + std::to_string(i + 1);
   }
-  EXPECT_EQ(load(tangle + face).warnings.at(1), "test.obj: 1 face crosses itself: the area is not that of the outline");
+  EXPECT_EQ(load_lines(tangle + face).warnings.at(1), "test.obj: 1 face crosses itself: the area is not that of the outline");
 }
 
 TEST(Mesh, ColorsMayBeAnythingAndABlankMayFollowABackslash) {
-  const LoadedScene loaded = load("v 0 0 0 nan nan nan\nv 1 0 0 inf\nv 0 1 \\ \n0 0.5 0.5 0.5\nf 1 2 \\\t\n 3\n");
+  const LoadedScene loaded = load_lines("v 0 0 0 nan nan nan\nv 1 0 0 inf\nv 0 1 \\ \n0 0.5 0.5 0.5\nf 1 2 \\\t\n 3\n");
   EXPECT_TRUE(loaded.warnings.empty());
   EXPECT_EQ(loaded.scene.system.faces.size(), 1u);
 }
 
 TEST(Mesh, AVertexWithoutAFaceChangesNothing) {
-  const Scene scene = load(square).scene, with = load(square + "v 1e4 0 0\nv 0.5 -3000 0\n").scene;
+  const Scene scene = load_lines(square).scene, with = load_lines(square + "v 1e4 0 0\nv 0.5 -3000 0\n").scene;
   EXPECT_EQ(with.system, scene.system);
   EXPECT_EQ(with.state, scene.state);
   EXPECT_NEAR(floor_of(with), -0.25 * std::sqrt(2.0), 1e-12);
   // also one of a face without area
-  EXPECT_EQ(load(square + "v 1e4 0 0\nf 1 5 5\n").scene.system, scene.system);
+  EXPECT_EQ(load_lines(square + "v 1e4 0 0\nf 1 5 5\n").scene.system, scene.system);
 }
 
 TEST(Mesh, ARopeOfLinesStretchesByOnePercentUnderItsWeight) {
-  const LoadedScene loaded = load("v 0 0 0\nv 0 -1 0\nv 0 -2 0\nv 0 -4 0\nl 1 2 3\nl 3 4\nl 4 3\nl 2 2\n");
+  const LoadedScene loaded = load_lines("v 0 0 0\nv 0 -1 0\nv 0 -2 0\nv 0 -4 0\nl 1 2 3\nl 3 4\nl 4 3\nl 2 2\n");
   EXPECT_EQ(loaded.warnings, std::vector<std::string>{"test.obj: 2 lines are duplicates or have no length: ignored"});
   const System& system = loaded.scene.system;
   ASSERT_EQ(system.spring_count(), 3);
   EXPECT_TRUE(system.faces.empty());
   // a strip of cloth, a tenth of the size wide
   const double density = 0.2 * 0.4, tension = density * 4.0 * 9.81;
-  EXPECT_NEAR(total_mass(system), density * 4.0, 1e-12);
+  EXPECT_NEAR(mass_of_all(system), density * 4.0, 1e-12);
   for (const Spring& spring : system.springs()) EXPECT_NEAR(tension / spring.stiffness, 0.01 * spring.rest_length, 1e-12);
   EXPECT_TRUE(loaded.scene.view.springs);
 }
 
 TEST(Mesh, LinesTieClothsTogether) {
-  const Scene scene = load(square + "v 0 2 0\nv 1 2 0\nv 1 3 0\nf 5 6 7\nl 4 5\nl 3 6\nl 1 3\nl 1 2\n").scene;
+  const Scene scene = load_lines(square + "v 0 2 0\nv 1 2 0\nv 1 3 0\nf 5 6 7\nl 4 5\nl 3 6\nl 1 3\nl 1 2\n").scene;
   // a line along a diagonal or a side adds to its spring
   EXPECT_EQ(scene.system.spring_count(), 6 + 3 + 2);
-  EXPECT_GT(total_mass(scene.system), 0.2 * 1.5 + 1e-3);
+  EXPECT_GT(mass_of_all(scene.system), 0.2 * 1.5 + 1e-3);
 }
 
 TEST(Mesh, ASpringBetweenPointsOfTwoFacesIsWrittenAsALine) {
-  Scene scene = load("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 3 0 0\nv 4 0 0\nv 3 1 0\nf 1 2 3\nf 4 5 6\n").scene;
+  Scene scene = load_lines("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 3 0 0\nv 4 0 0\nv 3 1 0\nf 1 2 3\nf 4 5 6\n").scene;
   const PointId first = scene.system.points()[1].id, second = scene.system.points()[3].id;
   scene.system.append_spring({.id = scene.system.new_spring_id(), .first = first, .second = second, .stiffness = 10.0, .rest_length = 2.0});
   EXPECT_NE(format_obj(scene).find("\nl 2 4\n"), std::string::npos) << format_obj(scene);
@@ -80,33 +80,34 @@ TEST(Mesh, ASpringBetweenPointsOfTwoFacesIsWrittenAsALine) {
 TEST(Mesh, AlmostCoincidentEdgesAreReportedAndWeldedOnDemand) {
   // two squares, the second 0.005 mm away from the first
   const std::string seam = square + "v 1.000005 0 0\nv 2 0 0\nv 2 1 0\nv 1.000005 1 0\nf 5 6 7 8\n";
-  EXPECT_EQ(load(seam).warnings,
+  EXPECT_EQ(load_lines(seam).warnings,
             std::vector<std::string>{"test.obj: 2 points on open edges are within 0.05 mm of others: not joined (--weld 5e-05)"});
   ImportOptions options;
   options.seam_distance = 1e-5;
-  const LoadedScene joined = load(seam, options);
+  const LoadedScene joined = load_lines(seam, options);
   EXPECT_EQ(joined.warnings, std::vector<std::string>{"test.obj: 2 vertices are at the position of another: welded"});
   EXPECT_EQ(joined.scene.system.point_count(), 6);
   // inner points are not joined, however close
   options.seam_distance = 0.6;
-  EXPECT_EQ(load("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n", options).scene.system.point_count(),
-            5);
+  EXPECT_EQ(
+      load_lines("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n", options).scene.system.point_count(),
+      5);
 }
 
 TEST(Mesh, PointsOnTheEdgeOfAnotherFaceAreCounted) {
-  EXPECT_EQ(load(square + "v 1 0.5 0\nv 2 0.5 0\nv 2 1 0\nf 5 6 7 3\n").warnings,
+  EXPECT_EQ(load_lines(square + "v 1 0.5 0\nv 2 0.5 0\nv 2 1 0\nf 5 6 7 3\n").warnings,
             std::vector<std::string>{"test.obj: 1 point lies on an open edge between its ends: not joined"});
 }
 
 TEST(Mesh, ASheetOfMoreThanFiftyMetersAsksForItsUnit) {
   const std::string large = "v 0 0 0\nv 1000 0 0\nv 0 0 500\nf 1 2 3\n";
-  const LoadedScene loaded = load(large);
+  const LoadedScene loaded = load_lines(large);
   EXPECT_EQ(loaded.warnings.at(0), "test.obj: size: 1000 x 0 x 500 m: millimeters? (--scale 0.001)");
   EXPECT_EQ(loaded.summary, "test.obj: 1000 x 0 x 500 m, 3 points");
   ImportOptions options{.scale = 0.001, .is_z_up = true};
-  EXPECT_EQ(load(large, options).scene.state.position, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}}));
+  EXPECT_EQ(load_lines(large, options).scene.state.position, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}}));
   options.scale = 1e9;
-  EXPECT_THROW(load(large, options), InputError);
+  EXPECT_THROW(load_lines(large, options), InputError);
 }
 
 TEST(Mesh, WeldingNeedsNoBoundOnTheExtent) {
@@ -152,7 +153,7 @@ TEST(Mesh, WhatIsWrittenIsReadBack) {
   int checked = 0;
   for (const Scene& scene : scenes) {
     if (scene.state.position.empty() || has_coincident_points(scene)) continue;
-    const Scene again = load(format_obj(scene)).scene;
+    const Scene again = load_lines(format_obj(scene)).scene;
     EXPECT_EQ(again.state.position, scene.state.position) << scene.name;
     EXPECT_EQ(again.system.faces.size(), scene.system.faces.size()) << scene.name;
     EXPECT_EQ(elements_of(again), elements_of(scene)) << scene.name;

@@ -8,13 +8,12 @@
 #include "sim/methods/rows.h"
 #include "sim/step/step.h"
 #include "support/convergence.h"
+#include "support/fall.h"
 #include "support/folds.h"
 #include "support/nets.h"
 
 namespace hooke {
 namespace {
-
-constexpr double frame_time = 1.0 / 60.0;
 
 // A mass on a spring and a dashpot so strong that a frame takes millions of steps.
 TestSim overdamped(double damping) {

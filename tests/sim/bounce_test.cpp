@@ -7,13 +7,12 @@
 
 #include "sim/contact/gap.h"
 #include "support/convergence.h"
+#include "support/fall.h"
 #include "support/nets.h"
 #include "support/random_scene.h"
 
 namespace hooke {
 namespace {
-
-constexpr double g = 9.81, frame = 1.0 / 60.0;
 
 // A ball of radius 0.05 m released at `height` above a floor at y = -1.
 TestSim falling_ball(double height, double restitution, double radius = 0.05) {
@@ -52,8 +51,8 @@ TEST(Bounce, IsExactThroughManyImpactsAtOneSubstepPerFrame) {
   for (const double restitution : {0.5, 0.8, 0.95}) {
     TestSim sim = falling_ball(1.0, restitution);
     for (int i = 1; i <= 130; ++i) {
-      sim.run(verlet, frame, 1);
-      const Bouncing exact(1.0, restitution, i * frame);
+      sim.run(verlet, frame_time, 1);
+      const Bouncing exact(1.0, restitution, i * frame_time);
       EXPECT_NEAR(sim.state.position[0].y, -0.95 + exact.height, 1e-9) << "e = " << restitution << ", frame " << i;
       EXPECT_NEAR(sim.state.velocity[0].y, exact.velocity, 1e-8) << "e = " << restitution << ", frame " << i;
     }
@@ -173,12 +172,12 @@ TEST(Bounce, EndsAtTheSumOfTheGeometricSeries) {
   const Integrator& verlet = *find_integrator("velocity_verlet");
   for (const double e : {0.0, 0.3, 0.5, 0.9, 0.97}) {
     TestSim sim = falling_ball(0.5, e);
-    const int frames = static_cast<int>(std::ceil(std::sqrt(1.0 / g) * (1.0 + e) / (1.0 - e) / frame));
+    const int frames = static_cast<int>(std::ceil(std::sqrt(1.0 / g) * (1.0 + e) / (1.0 - e) / frame_time));
     for (int i = 1; i < frames; ++i) {
-      sim.run(verlet, frame, 1);
+      sim.run(verlet, frame_time, 1);
       ASSERT_NE(sim.state.velocity[0].y, 0.0) << "e = " << e << ", frame " << i << " of " << frames;
     }
-    sim.run(verlet, frame, 1);
+    sim.run(verlet, frame_time, 1);
     EXPECT_EQ(sim.state.velocity[0].y, 0.0) << "e = " << e;
     EXPECT_NEAR(sim.state.position[0].y, -0.95, 1e-13) << "e = " << e;
   }
@@ -189,7 +188,7 @@ TEST_P(Bounce, EndsAtRestUnderEveryMethod) {
     for (const int substeps : {1, 20}) {
       TestSim sim = falling_ball(0.1, e);
       const double rest = std::sqrt(0.2 / g) * (1.0 + e) / (1.0 - e);
-      for (int i = 0; i * frame < 1.2 * rest + 5.0 * frame; ++i) sim.run(method(), frame, substeps);
+      for (int i = 0; i * frame_time < 1.2 * rest + 5.0 * frame_time; ++i) sim.run(method(), frame_time, substeps);
       EXPECT_EQ(sim.state.velocity[0].y, 0.0) << "e = " << e << ", " << substeps << " substeps";
       EXPECT_NEAR(sim.state.position[0].y, -0.95, 1e-13) << "e = " << e << ", " << substeps << " substeps";
     }
@@ -198,8 +197,8 @@ TEST_P(Bounce, EndsAtRestUnderEveryMethod) {
 TEST(Bounce, WithRestitutionOneKeepsItsHeightForAThousandImpacts) {
   TestSim sim = falling_ball(0.05, 1.0);
   sim.system.drag = 0.0;
-  const int frames = static_cast<int>(2000.0 * std::sqrt(0.1 / g) / frame);
-  for (int i = 0; i < frames; ++i) sim.run(*find_integrator("velocity_verlet"), frame, 1);
+  const int frames = static_cast<int>(2000.0 * std::sqrt(0.1 / g) / frame_time);
+  for (int i = 0; i < frames; ++i) sim.run(*find_integrator("velocity_verlet"), frame_time, 1);
   const double height = sim.state.position[0].y + 0.95 + 0.5 * sim.state.velocity[0].y * sim.state.velocity[0].y / g;
   EXPECT_NEAR(height, 0.05, 1e-9);
 }
@@ -207,11 +206,11 @@ TEST(Bounce, WithRestitutionOneKeepsItsHeightForAThousandImpacts) {
 // symplectic Euler's positions are those of Verlet and its velocities are half a step off: nothing is lost from impact to impact
 TEST(Bounce, WithRestitutionOneNeitherGrowsNorDecaysUnderSymplecticEuler) {
   TestSim sim = falling_ball(0.05, 1.0);
-  const int frames = static_cast<int>(2000.0 * std::sqrt(0.1 / g) / frame);
-  for (int i = 0; i < frames; ++i) sim.run(*find_integrator("symplectic_euler"), frame, 4);
+  const int frames = static_cast<int>(2000.0 * std::sqrt(0.1 / g) / frame_time);
+  for (int i = 0; i < frames; ++i) sim.run(*find_integrator("symplectic_euler"), frame_time, 4);
   const double height = sim.state.position[0].y + 0.95 + 0.5 * sim.state.velocity[0].y * sim.state.velocity[0].y / g;
   // the error of v is g h / 2
-  EXPECT_NEAR(height, 0.05, std::sqrt(2.0 * g * 0.05) * frame / 4.0);
+  EXPECT_NEAR(height, 0.05, std::sqrt(2.0 * g * 0.05) * frame_time / 4.0);
 }
 
 TEST(Bounce, AtHighSpeedReboundsToTheSquareOfRestitution) {
@@ -220,7 +219,7 @@ TEST(Bounce, AtHighSpeedReboundsToTheSquareOfRestitution) {
   sim.state.velocity[0].y = -100.0;
   double highest = -1.0;
   for (int i = 0; i < 600; ++i) {
-    sim.run(*find_integrator("velocity_verlet"), frame, 1);
+    sim.run(*find_integrator("velocity_verlet"), frame_time, 1);
     if (sim.state.velocity[0].y > 0.0) highest = sim.state.position[0].y + 0.5 * std::pow(sim.state.velocity[0].y, 2) / g;
     if (i > 10) break;
   }
@@ -235,7 +234,7 @@ TEST(Bounce, LosesTangentialSpeedToFriction) {
     sim.system.colliders[0].friction = friction;
     sim.state.position[0].y += 0.01;
     sim.state.velocity[0] = {3.0, -4.0, 4.0};
-    sim.run(*find_integrator("velocity_verlet"), frame, 1);
+    sim.run(*find_integrator("velocity_verlet"), frame_time, 1);
     const double left = std::max(0.0, 5.0 - friction * 1.5 * 4.0) / 5.0;
     EXPECT_LT(glm::distance(sim.state.velocity[0], Vec3(3.0 * left, 2.0, 4.0 * left)), 1e-12) << "mu = " << friction;
   }
@@ -251,11 +250,11 @@ TEST_P(Bounce, OffABallIsAReflectionAtAnyImpactParameter) {
       sim.system.colliders = {{.shape = Sphere{.center = {0.1, 0.2, 0.3}, .radius = combined_radius - radius}, .restitution = 1.0}};
       sim.add(Vec3(0.1 - 0.8, 0.2 + b * combined_radius, 0.3), 1.0, {100.0, 0.0, 0.0});
       sim.system.point(0).radius = radius;
-      sim.run(method(), frame, 1);
+      sim.run(method(), frame_time, 1);
 
       const double cosine = std::sqrt(1.0 - b * b), path_length = 0.8 - combined_radius * cosine;
       const Vec3 normal(-cosine, b, 0.0), out = Vec3(1.0, 0.0, 0.0) - 2.0 * -cosine * normal;
-      const Vec3 expected = Vec3(0.1, 0.2, 0.3) + combined_radius * normal + (100.0 * frame - path_length) * out;
+      const Vec3 expected = Vec3(0.1, 0.2, 0.3) + combined_radius * normal + (100.0 * frame_time - path_length) * out;
       EXPECT_LT(glm::distance(sim.state.position[0], expected), 1e-9 / std::max(cosine, 0.01)) << "b = " << b << ", radius " << radius;
       EXPECT_LT(glm::distance(sim.state.velocity[0], 100.0 * out), 1e-8 / std::max(cosine, 0.01)) << "b = " << b;
     }
@@ -266,7 +265,7 @@ TEST(Bounce, RequiresContact) {
   sim.system.gravity = Vec3(0.0);
   sim.system.colliders = {{.shape = Sphere{.center = Vec3(0.0), .radius = 0.3}, .restitution = 1.0}};
   sim.add(Vec3(-0.8, 0.3 + 1e-9, 0.0), 1.0, {100.0, 0.0, 0.0});
-  sim.run(*find_integrator("velocity_verlet"), frame, 1);
+  sim.run(*find_integrator("velocity_verlet"), frame_time, 1);
   EXPECT_EQ(sim.state.velocity[0], Vec3(100.0, 0.0, 0.0));
 }
 
@@ -301,7 +300,7 @@ TEST_P(Bounce, NothingPassesThroughWallsAtAHundredMetersPerSecond) {
       sim.system.point(i).radius = i % 2 == 0 ? 0.0 : 0.03;
     }
     for (int f = 0; f < 60; ++f) {
-      sim.run(method(), frame, 1);
+      sim.run(method(), frame_time, 1);
       for (std::size_t i = 0; i < sim.state.position.size(); ++i) {
         const Vec3& x = sim.state.position[i];
         ASSERT_LT(std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}), 1.0 + 1e-12) << "point " << i << ", frame " << f;

@@ -8,12 +8,11 @@
 #include "sim/forces/energy/energy.h"
 #include "sim/step/divergence.h"
 #include "support/convergence.h"
+#include "support/fall.h"
 #include "support/random_scene.h"
 
 namespace hooke {
 namespace {
-
-constexpr double frame = 1.0 / 60.0;
 
 class Contact : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Contact, testing::ValuesIn(every_method()), method_name);
@@ -35,7 +34,7 @@ TEST_P(Contact, PushesPointsThatStartInsideToTheNearestSurface) {
     TestSim ball = point_and(Sphere{.center = {0.0, 1.0, 0.0}, .radius = 0.5}, {0.0, 1.1, 0.0}, radius);
     TestSim box = point_and(Box{.min = Vec3(-1.0), .max = Vec3(1.0)}, {0.2, 0.9, 0.1}, radius);
     for (TestSim* sim : {&plane, &ball, &box})
-      for (int i = 0; i < 10; ++i) sim->run(method(), frame, 2);
+      for (int i = 0; i < 10; ++i) sim->run(method(), frame_time, 2);
     EXPECT_LT(glm::distance(plane.state.position[0], Vec3(0.3, radius, 0.1)), 1e-13);
     EXPECT_LT(glm::distance(ball.state.position[0], Vec3(0.0, 1.5 + radius, 0.0)), 1e-13);
     EXPECT_LT(glm::distance(box.state.position[0], Vec3(0.2, 1.0 + radius, 0.1)), 1e-13);
@@ -45,7 +44,7 @@ TEST_P(Contact, PushesPointsThatStartInsideToTheNearestSurface) {
 
 TEST_P(Contact, AtTheCenterOfABallPushesUp) {
   TestSim sim = point_and(Sphere{.center = {0.1, 0.2, 0.3}, .radius = 0.5}, {0.1, 0.2, 0.3}, 0.0);
-  sim.run(method(), frame, 1);
+  sim.run(method(), frame_time, 1);
   EXPECT_LT(glm::distance(sim.state.position[0], Vec3(0.1, 0.7, 0.3)), 1e-13);
 }
 
@@ -55,7 +54,7 @@ TEST_P(Contact, IgnoresNailsAndTheHeldPoint) {
   const PointId nailed = sim.nail({0.0, -0.5, 0.0}), held = sim.add({0.0, 0.1, 0.0});
   sim.system.grab = Grab{.point = held, .kind = GrabKind::Hold};
   sim.state.hand.target = {1.0, -0.4, 0.0};
-  sim.run(method(), frame, 3);
+  sim.run(method(), frame_time, 3);
   EXPECT_EQ(sim.position(nailed), Vec3(0.0, -0.5, 0.0));
   EXPECT_EQ(sim.position(held), Vec3(1.0, -0.4, 0.0));
 }
@@ -75,7 +74,7 @@ TEST_P(Contact, InTwoDimensionsStaysInThePlane) {
   for (const Shape& shape : shapes) {
     TestSim sim = point_and(shape, {0.0, 1.0, 0.0}, 0.01);
     sim.system.dimensions = 2;
-    for (int i = 0; i < 30; ++i) sim.run(method(), frame, 1);
+    for (int i = 0; i < 30; ++i) sim.run(method(), frame_time, 1);
     EXPECT_EQ(sim.state.position[0].z, 0.0);
     EXPECT_EQ(sim.state.velocity[0].z, 0.0);
     EXPECT_GT(sim.state.position[0].y, -0.1) << "shape " << shape.index();
@@ -109,7 +108,7 @@ TEST_P(Contact, WithManyCollidersStaysFinite) {
       sim.system.point(i).radius = i % 2 == 0 ? 0.0 : 0.05;
       if (i > 0 && i % 4 == 0) sim.join(sim.system.points()[i].id, sim.system.points()[i - 1].id, 100.0, 0.5, 0.5);
     }
-    for (int f = 0; f < 120; ++f) sim.run(method(), frame, 8);
+    for (int f = 0; f < 120; ++f) sim.run(method(), frame_time, 8);
     EXPECT_TRUE(is_finite(sim.state)) << "seed " << seed;
     for (const Vec3& x : sim.state.position) EXPECT_GT(x.y, -20.0) << "seed " << seed;
   }
@@ -136,7 +135,7 @@ TEST(Contact, BetweenAClothAndABallAddsNoEnergy) {
   const double start = compute_energy(sim.system, sim.state).total();
   double min = start;
   for (int f = 0; f < 240; ++f) {
-    sim.run(default_integrator(), frame, 20);
+    sim.run(default_integrator(), frame_time, 20);
     const double energy = compute_energy(sim.system, sim.state).total();
     ASSERT_LT(energy, min + 1e-3 * std::abs(start)) << "frame " << f;
     min = std::min(min, energy);

@@ -81,12 +81,12 @@ TEST_P(ContactWork, OfAColliderIsLimitedByItsMotion) {
 }
 
 // What a body of 0.5 kg loses as it falls on something that does not move, comes to rest there, and stays.
-struct Fall {
+struct FallenBody {
   TestSim sim;
   double weight = 0.5;  // [kg]
 
   // on a plane, on a ball, on a point, or a bar across another
-  explicit Fall(int kind, double restitution) {
+  explicit FallenBody(int kind, double restitution) {
     if (kind == 3) {
       sim.system.contact = {.springs = true, .thickness = 0.02};
       sim.join(sim.nail({-1.0, 0.0, 0.0}), sim.nail({1.0, 0.0, 0.0}), 0.0, 2.0);
@@ -112,7 +112,7 @@ struct Fall {
 TEST_P(ContactWork, IsTheEnergyThatABodyLosesUntilItRests) {
   for (const double restitution : {0.0, 0.6})
     for (int kind = 0; kind < 4; ++kind) {
-      Fall fall(kind, restitution);
+      FallenBody fall(kind, restitution);
       TestSim& sim = fall.sim;
       Plan plan = make_plan(sim.system);
       const Settings settings{.integrator = &method(), .substeps = 10, .tolerance = 1e-8};
@@ -135,7 +135,7 @@ TEST_P(ContactWork, IsTheEnergyThatABodyLosesUntilItRests) {
 // power at that velocity would be 1e-4 J in half a second.
 TEST_P(ContactWork, OfForcesOnWhatRestsIsNone) {
   for (const int kind : {0, 3}) {
-    Fall fall(kind, 0.0);
+    FallenBody fall(kind, 0.0);
     TestSim& sim = fall.sim;
     Force brake{.term = find_force_term("mass_center"), .values = default_values(*find_force_term("mass_center"))};
     constexpr std::size_t stiffness = 3;

@@ -5,14 +5,13 @@
 #include <glm/geometric.hpp>
 
 #include "sim/forces/energy/energy.h"
+#include "sim/methods/rows.h"
 #include "sim/step/divergence.h"
 #include "support/convergence.h"
 #include "support/nets.h"
 
 namespace hooke {
 namespace {
-
-const Integrator& verlet() { return *find_integrator("velocity_verlet"); }
 
 // w <- w e^(-d t (1/m1 + 1/m2)) for any step size; the rest of the motion is unaffected
 TEST(Dashpot, AloneDecaysExactly) {
@@ -21,7 +20,7 @@ TEST(Dashpot, AloneDecaysExactly) {
     sim.system.gravity = Vec3(0.0);
     const PointId first = sim.add({0.0, 0.0, 0.0}, 0.5, {1.0, 0.0, 2.0}), second = sim.add({100.0, 0.0, 0.0}, 2.0, {-1.0, 0.0, 2.0});
     sim.join(first, second, 0.0, 1.0, d);
-    sim.run(verlet(), 0.5, 3);
+    sim.run(velocity_verlet, 0.5, 3);
     const double w = 2.0 * std::exp(-d * 0.5 * 2.5), center = -0.6;
     EXPECT_NEAR(sim.velocity(first).x, center + w * 0.8, 1e-14) << "d = " << d;
     EXPECT_NEAR(sim.velocity(second).x, center - w * 0.2, 1e-14) << "d = " << d;
@@ -35,7 +34,7 @@ TEST(Dashpot, ToANailMovesOnlyTheFreePoint) {
   const PointId point = sim.add({1.0, 0.0, 0.0}, 0.5, {1.0, 0.0, 0.0}), nail = sim.nail(Vec3(0.0));
   const Vec3 place = sim.position(nail);
   sim.join(nail, point, 0.0, 1.0, 1e9);
-  sim.run(verlet(), 1e-3, 1);
+  sim.run(velocity_verlet, 1e-3, 1);
   EXPECT_EQ(sim.velocity(point), Vec3(0.0));
   EXPECT_EQ(sim.position(point), Vec3(1.0, 0.0, 0.0));
   EXPECT_EQ(sim.position(nail), place);
@@ -45,7 +44,7 @@ TEST(Dashpot, OfModerateStrengthKeepsVerletSecondOrder) {
   for (const double d : {0.1, 0.9}) {
     const auto after = [&](int steps) {
       TestSim sim = net(16, 1e4, d);
-      sim.run(verlet(), 0.1, steps);
+      sim.run(velocity_verlet, 0.1, steps);
       return sim.state;
     };
     const State coarse = after(1000), middle = after(2000), fine = after(4000);
@@ -60,7 +59,7 @@ TEST(Dashpot, OfAnyStrengthIsStable) {
     const double start = compute_energy(sim.system, sim.state).total();
     double min = start;
     for (int frame = 0; frame < 15; ++frame) {
-      sim.run(verlet(), 1.0 / 60.0, 50);
+      sim.run(velocity_verlet, 1.0 / 60.0, 50);
       const double energy = compute_energy(sim.system, sim.state).total();
       EXPECT_LT(energy, min + 1e-9 * std::abs(start)) << "d = " << d << ", frame " << frame;
       min = energy;
@@ -73,8 +72,8 @@ TEST(Dashpot, OfAnyStrengthIsStable) {
 TEST(Dashpot, OfGreatStrengthDriftsAccurately) {
   TestSim coarse = net(16, 1e4, 1e3), fine = coarse;
   const State start = coarse.state;
-  coarse.run(verlet(), 0.25, 750);
-  fine.run(verlet(), 0.25, 6000);
+  coarse.run(velocity_verlet, 0.25, 750);
+  fine.run(velocity_verlet, 0.25, 6000);
   EXPECT_LT(distance(coarse.state, fine.state), 1e-5);
   EXPECT_GT(distance(fine.state, start), 1e-3);
 }
@@ -82,8 +81,8 @@ TEST(Dashpot, OfGreatStrengthDriftsAccurately) {
 TEST(Dashpot, SwitchedOffDoesNothing) {
   TestSim damped = net(6, 1e2, 0.9), plain = net(6, 1e2, 0.0);
   damped.system.switches.dashpots = false;
-  damped.run(verlet(), 0.5, 100);
-  plain.run(verlet(), 0.5, 100);
+  damped.run(velocity_verlet, 0.5, 100);
+  plain.run(velocity_verlet, 0.5, 100);
   EXPECT_EQ(damped.state, plain.state);
 }
 

@@ -9,13 +9,13 @@
 
 #include "sim/forces/energy/energy.h"
 #include "support/convergence.h"
+#include "support/fall.h"
 #include "support/test_sim.h"
 
 namespace hooke {
 namespace {
 
 using std::numbers::pi;
-constexpr double g = 9.81;
 
 // A mass on a spring that hangs from a nail, displaced horizontally by `x` and downwards by `z` from its rest position at l = l0 + m g / k.
 struct Pendulum {

@@ -5,12 +5,11 @@
 #include <glm/geometric.hpp>
 
 #include "support/convergence.h"
+#include "support/fall.h"
 #include "support/test_sim.h"
 
 namespace hooke {
 namespace {
-
-constexpr double g = 9.81, frame = 1.0 / 60.0;
 
 // A block below y = 0 up to x = 0, and a point on it.
 TestSim on_block(double x, double radius, double speed, double friction = 0.0) {
@@ -22,7 +21,7 @@ TestSim on_block(double x, double radius, double speed, double friction = 0.0) {
 }
 
 void run_frames(TestSim& sim, const Integrator& method, int frames, int substeps) {
-  for (int i = 0; i < frames; ++i) sim.run(method, frame, substeps);
+  for (int i = 0; i < frames; ++i) sim.run(method, frame_time, substeps);
 }
 
 class Edge : public EveryMethod {};
@@ -36,9 +35,9 @@ TEST_P(Edge, APointFallsFromWhereTheFaceEnds) {
         TestSim sim = on_block(-0.7, radius, speed);
         constexpr int frames = 60;
         run_frames(sim, method(), frames, substeps);
-        const double fall = frames * frame - 0.7 / speed;
-        const double late = (radius > 0.0 || method().order == 1 ? 2.0 : 1.0) * frame / substeps, tolerance = g * fall * late;
-        EXPECT_NEAR(sim.state.position[0].x, frames * frame * speed - 0.7, 1e-10) << radius << ' ' << speed << ' ' << substeps;
+        const double fall = frames * frame_time - 0.7 / speed;
+        const double late = (radius > 0.0 || method().order == 1 ? 2.0 : 1.0) * frame_time / substeps, tolerance = g * fall * late;
+        EXPECT_NEAR(sim.state.position[0].x, frames * frame_time * speed - 0.7, 1e-10) << radius << ' ' << speed << ' ' << substeps;
         EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, tolerance) << radius << ' ' << speed << ' ' << substeps;
         EXPECT_NEAR(sim.state.velocity[0].y, -g * fall, g * late + 1e-10) << radius << ' ' << speed << ' ' << substeps;
       }
@@ -54,7 +53,7 @@ TEST(Edges, AllEndWhereTheyAre) {
       sim.system.point(0).radius = radius;
       run_frames(sim, *find_integrator("velocity_verlet"), 30, 1);
       const double slide = 0.5 / std::max(std::abs(direction.x), std::abs(direction.z)) / 1.7, fall = 0.5 - slide;
-      EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, 2.0 * g * fall * frame) << radius;
+      EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, 2.0 * g * fall * frame_time) << radius;
     }
 }
 
@@ -65,8 +64,8 @@ TEST(Edges, FrictionEndsWithTheFace) {
     TestSim sim = on_block(-length, radius, speed, mu);
     run_frames(sim, *find_integrator("velocity_verlet"), 60, 1);
     const double left = std::sqrt(speed * speed - 2.0 * mu * g * length), fall = 1.0 - (speed - left) / (mu * g);
-    EXPECT_NEAR(sim.state.velocity[0].x, left, 2.0 * mu * g * frame);
-    EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, 2.0 * g * fall * frame);
+    EXPECT_NEAR(sim.state.velocity[0].x, left, 2.0 * mu * g * frame_time);
+    EXPECT_NEAR(sim.state.position[0].y, radius - 0.5 * g * fall * fall, 2.0 * g * fall * frame_time);
   }
 }
 
@@ -90,7 +89,7 @@ TEST(Edges, APointWithARadiusGoesRoundThem) {
     return sim.state.position[0];
   };
   expect_order([&](int n) { return glm::distance(on_edge(0.0, n), ball.state.position[0]); }, 10, 2.0);
-  EXPECT_LT(glm::distance(on_edge(along_edge, 10), on_edge(0.0, 10) + Vec3(0.0, 0.0, along_edge * frames * frame)), 1e-12);
+  EXPECT_LT(glm::distance(on_edge(along_edge, 10), on_edge(0.0, 10) + Vec3(0.0, 0.0, along_edge * frames * frame_time)), 1e-12);
 }
 
 }  // namespace

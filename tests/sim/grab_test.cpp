@@ -9,12 +9,11 @@
 #include "sim/model/grab.h"
 #include "sim/step/divergence.h"
 #include "support/convergence.h"
+#include "support/fall.h"
 #include "support/test_sim.h"
 
 namespace hooke {
 namespace {
-
-constexpr double frame_time = 1.0 / 60.0;
 
 class Grabbed : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Grabbed, testing::ValuesIn(every_method()), method_name);

@@ -95,10 +95,10 @@ Plan make_plan_with_grids(const System& system) {
   return plan;
 }
 
-struct Packed {
+struct PackedGrid {
   Plan plan;
   Motion motion;
-  explicit Packed(const TestSim& sim) : plan(make_plan_with_grids(sim.system)) { pack(plan, sim.state, motion); }
+  explicit PackedGrid(const TestSim& sim) : plan(make_plan_with_grids(sim.system)) { pack(plan, sim.state, motion); }
   const double* velocities() const { return plan.has_dashpots() ? motion.v.data() : nullptr; }
   Field forces() const {
     Field f(motion.x.size(), 0.0);
@@ -166,7 +166,7 @@ TEST(Grids, DoNotDependOnTheOrderOfTheSprings) {
   std::ranges::reverse(springs);
   for (Spring& spring : springs) std::swap(spring.first, spring.second);
   reversed.system.set_springs(springs);
-  EXPECT_EQ(Packed(sim).forces(), Packed(reversed).forces());
+  EXPECT_EQ(PackedGrid(sim).forces(), PackedGrid(reversed).forces());
 }
 
 TEST(Grids, StoreASingleRowOfNumbersIfAllRowsAreEqual) {
@@ -199,7 +199,7 @@ TEST(Grids, CoverSeveralSheetsAndRopesOfAScene) {
 
 TEST(GridForces, EqualThoseOfRunsToRounding) {
   for (const Net& net : assorted_nets()) {
-    const Packed packed(make_net(net));
+    const PackedGrid packed(make_net(net));
     ASSERT_EQ(packed.plan.spring.grids.size(), 1u) << net.rows << " x " << net.columns;
     const Plan runs = without_grids(packed.plan);
     const Field f = packed.forces();
@@ -218,7 +218,7 @@ TEST(GridForces, AreZeroInASheetAtRest) {
     spring.rest_length = std::sqrt(u.x * u.x + u.y * u.y + u.z * u.z);
   }
   sim.system.set_springs(springs);
-  const Packed packed(sim);
+  const PackedGrid packed(sim);
   ASSERT_EQ(packed.plan.spring.grids.size(), 1u);
   for (const double component : packed.forces()) EXPECT_EQ(component, 0.0);
 }
@@ -240,13 +240,13 @@ void expect_same_bits(const Compute& compute) {
 TEST(GridForces, HaveTheSameBitsForEveryVectorUnit) {
   expect_same_bits([] {
     std::vector<Field> forces;
-    for (const Net& net : assorted_nets()) forces.push_back(Packed(make_net(net)).forces());
+    for (const Net& net : assorted_nets()) forces.push_back(PackedGrid(make_net(net)).forces());
     return forces;
   });
 }
 
 // One pass of forces, kick and drift, of the springs of grids alone.
-std::pair<Field, Field> advanced(Packed packed) {
+std::pair<Field, Field> advanced(PackedGrid packed) {
   LeapfrogPass<double> pass = pass_over(packed.plan, packed.motion.x);
   pass.drifted = packed.motion.x.data();
   pass.v = packed.motion.v.data();
@@ -261,7 +261,7 @@ TEST(GridPass, EqualsForcesKickAndDriftInTurn) {
   for (const Net& net : assorted_nets())
     for (const double drag : {0.0, 0.7})
       for (const double duration : {0.0, 0.02}) {
-        Packed packed(make_net(net));
+        PackedGrid packed(make_net(net));
         Motion expected = packed.motion;
         compute_forces(packed.plan, 0.0, expected.x, expected.v, expected.a);
         packed.plan.drag = drag;
@@ -284,7 +284,7 @@ TEST(GridPass, EqualsForcesKickAndDriftInTurn) {
 TEST(GridPass, ComputesTheAccelerationsOfTheForcesDividedByMass) {
   for (const Net& net : assorted_nets())
     for (const double drag : {0.0, 0.7}) {
-      Packed packed(make_net(net));
+      PackedGrid packed(make_net(net));
       packed.plan.drag = drag;
       const Motion& motion = packed.motion;
       Field expected(motion.a), a(motion.a);
@@ -299,7 +299,7 @@ TEST(GridPass, HasTheSameBitsForEveryVectorUnit) {
   expect_same_bits([] {
     std::vector<Field> fields;
     for (const Net& net : assorted_nets()) {
-      const Packed packed(make_net(net));
+      const PackedGrid packed(make_net(net));
       auto [x, v] = advanced(packed);
       fields.push_back(std::move(x));
       fields.push_back(std::move(v));

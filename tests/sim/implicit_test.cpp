@@ -13,10 +13,10 @@
 namespace hooke {
 namespace {
 
-const Integrator& method(std::string_view id) { return *find_integrator(id); }
+const Integrator& named(std::string_view id) { return *find_integrator(id); }
 
 struct ImplicitMethod : testing::TestWithParam<const char*> {
-  const Integrator& row() const { return method(GetParam()); }
+  const Integrator& row() const { return named(GetParam()); }
 };
 std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
 INSTANTIATE_TEST_SUITE_P(Methods, ImplicitMethod,
@@ -64,7 +64,7 @@ TEST(ImplicitMidpoint, NeitherDampsNorAmplifiesAStiffSpring) {
   const PointId point = sim.add({1.001, 0.0, 0.0});
   sim.join(sim.nail(Vec3(0.0)), point, 3.6e7, 1.0);
   const double energy = compute_energy(sim.system, sim.state).total();
-  sim.run(method("implicit_midpoint"), 10.0, 600);
+  sim.run(named("implicit_midpoint"), 10.0, 600);
   EXPECT_NEAR(compute_energy(sim.system, sim.state).total(), energy, 1e-9 * energy);
 }
 
@@ -145,7 +145,7 @@ TEST(BaraffWitkin, GainsEnergyOnACrumpledSheetOnlyByRotation) {
       double energy = start;
       for (int frame = 0; frame < 60; ++frame) {
         const State before = sim.state;
-        sim.run(method("baraff_witkin"), 1.0 / 60.0, 1);
+        sim.run(named("baraff_witkin"), 1.0 / 60.0, 1);
         const double current_energy = compute_energy(sim.system, sim.state).total(), turning = rotation_energy(sim, before, sim.state);
         SCOPED_TRACE(testing::Message() << "k h^2 / m = " << stiffness << ", seed " << seed << ", frame " << frame);
         ASSERT_LE(current_energy, energy + turning + 1e-15 * start);
@@ -160,7 +160,7 @@ TEST(ImplicitEuler, NeverGainsEnergyOnACrumpledSheet) {
     TestSim sim = crumpled(stiffness, 1);
     double energy = compute_energy(sim.system, sim.state).total();
     for (int frame = 0; frame < 60; ++frame) {
-      sim.run(method("implicit_euler"), 1.0 / 60.0, 1);
+      sim.run(named("implicit_euler"), 1.0 / 60.0, 1);
       const double current_energy = compute_energy(sim.system, sim.state).total();
       ASSERT_LE(current_energy, energy) << "k h^2 / m = " << stiffness << ", frame " << frame;
       energy = current_energy;
@@ -175,7 +175,7 @@ TEST(TrBdf2, FollowsStiffNetsAtOneStepPerFrame) {
   };
   for (const Case& scene : {Case{1e4, 0.0, 4e-5}, Case{1e4, 0.9, 4e-5}, Case{1e6, 9.0, 4e-5}, Case{1e4, 1e3, 4e-5}}) {
     const TestSim sim = net(16, scene.k, scene.d);
-    const FramewiseRun exact(sim, method("esdirk4"), 1.0, 480), run(sim, method("tr_bdf2"), 1.0, 60);
+    const FramewiseRun exact(sim, named("esdirk4"), 1.0, 480), run(sim, named("tr_bdf2"), 1.0, 60);
     const double error = distance(run.state, exact.state);
     EXPECT_LT(error, scene.max) << "k = " << scene.k << ", d = " << scene.d;
     EXPECT_EQ(run.unconverged, 0);
@@ -187,8 +187,7 @@ TEST(TrBdf2, FollowsStiffNetsAtOneStepPerFrame) {
 
 TEST(Esdirk4, IsAccurateWhereExplicitMethodsAreUnstable) {
   const TestSim sim = net(16, 1e4, 1e3);
-  const FramewiseRun exact(sim, method("esdirk4"), 0.5, 1000), run(sim, method("esdirk4"), 0.5, 120),
-      twice(sim, method("esdirk4"), 0.5, 240);
+  const FramewiseRun exact(sim, named("esdirk4"), 0.5, 1000), run(sim, named("esdirk4"), 0.5, 120), twice(sim, named("esdirk4"), 0.5, 240);
   EXPECT_LT(distance(run.state, exact.state), 1e-8);
   EXPECT_LT(distance(twice.state, exact.state), 0.15 * distance(run.state, exact.state));
 }
@@ -302,10 +301,10 @@ TEST(NewtonSolver, IsRebuiltOnlyWhenPointsOrSpringsAreAddedOrRemoved) {
 TEST(Methods, CanChangeDuringARun) {
   for (const Integrator& row : integrators()) {
     TestSim sim = net(8, 1e2, 0.05), exact = sim;
-    exact.run(method("runge_kutta4"), 0.2, 2000);
-    sim.run(method("velocity_verlet"), 0.1, 200);
+    exact.run(named("runge_kutta4"), 0.2, 2000);
+    sim.run(named("velocity_verlet"), 0.1, 200);
     sim.run(row, 0.05, row.order == 1 ? 5000 : 100);
-    sim.run(method("velocity_verlet"), 0.05, 100);
+    sim.run(named("velocity_verlet"), 0.05, 100);
     EXPECT_LT(distance(sim.state, exact.state), row.order == 1 ? 2e-5 : 2e-6) << row.id;
   }
 }

@@ -10,12 +10,11 @@
 #include "sim/forces/energy/energy.h"
 #include "sim/step/divergence.h"
 #include "support/convergence.h"
+#include "support/fall.h"
 #include "support/test_sim.h"
 
 namespace hooke {
 namespace {
-
-constexpr double g = 9.81, frame = 1.0 / 60.0;
 
 // A point of radius 0.02 m at rest at the center of the top of a collider.
 TestSim resting_on(const Collider& collider, const Vec3& place) {
@@ -36,14 +35,14 @@ TEST_P(Moving, ABeltAcceleratesAPointByFrictionUpToItsSpeed) {
   const double mu = 0.4, v = 1.5, reaches = v / (mu * g);
   for (const int substeps : {1, 7}) {
     TestSim sim = resting_on(floor_with({.belt = {v, 0.0, 0.0}}, mu), {0.0, 0.02, 0.0});
-    const int before = static_cast<int>(reaches / frame);
-    for (int i = 0; i < before; ++i) sim.run(method(), frame, substeps);
-    EXPECT_NEAR(sim.state.velocity[0].x, mu * g * before * frame, 1e-11);
-    for (int i = before; i < 60; ++i) sim.run(method(), frame, substeps);
+    const int before = static_cast<int>(reaches / frame_time);
+    for (int i = 0; i < before; ++i) sim.run(method(), frame_time, substeps);
+    EXPECT_NEAR(sim.state.velocity[0].x, mu * g * before * frame_time, 1e-11);
+    for (int i = before; i < 60; ++i) sim.run(method(), frame_time, substeps);
     EXPECT_NEAR(sim.state.velocity[0].x, v, 1e-11);
     EXPECT_NEAR(sim.state.position[0].x, v * 1.0 - 0.5 * v * v / (mu * g),
-                (method().is_symplectic() ? std::abs(method().velocity_lag) * v * frame / substeps : 0.0) +
-                    0.125 * mu * g * std::pow(frame / substeps, 2) + 1e-10);
+                (method().is_symplectic() ? std::abs(method().velocity_lag) * v * frame_time / substeps : 0.0) +
+                    0.125 * mu * g * std::pow(frame_time / substeps, 2) + 1e-10);
     EXPECT_NEAR(sim.state.position[0].y, 0.02, 1e-13);
   }
 }
@@ -52,7 +51,7 @@ TEST_P(Moving, ABeltAcceleratesAPointByFrictionUpToItsSpeed) {
 TEST_P(Moving, ABeltOnABoxMovesAlongItsSides) {
   TestSim sim =
       resting_on({.shape = Box{{-9.0, -1.0, -9.0}, {9.0, 0.0, 9.0}}, .friction = 1.0, .path = {.belt = {0.0, 3.0, 1.0}}}, {0.0, 0.02, 0.0});
-  for (int i = 0; i < 30; ++i) sim.run(method(), frame, 2);
+  for (int i = 0; i < 30; ++i) sim.run(method(), frame_time, 2);
   EXPECT_NEAR(sim.state.velocity[0].z, 1.0, 1e-12);
   EXPECT_NEAR(sim.state.velocity[0].y, 0.0, 1e-12);  // the belt has no component along the normal of the top
 }
@@ -63,7 +62,7 @@ TEST_P(Moving, APointStaysOnAVerticallyOscillatingPlate) {
   TestSim sim = resting_on(floor_with(path, 0.0), path.offset(0.0) + Vec3(0.0, 0.02, 0.0));
   sim.state.velocity[0] = path.velocity(0.0);
   for (int i = 0; i < 120; ++i) {
-    sim.run(method(), frame, 5);
+    sim.run(method(), frame_time, 5);
     EXPECT_NEAR(sim.state.position[0].y, path.offset(sim.state.time).y + 0.02, 1e-12);
     EXPECT_NEAR(sim.state.velocity[0].y, path.velocity(sim.state.time).y, 1e-9);
   }
@@ -78,7 +77,7 @@ TEST_P(Moving, FrictionHoldsAPointOnAShakenPlateUpToItsLimit) {
     sim.state.velocity[0] = path.velocity(0.0);
     double slip = 0.0;
     for (int i = 0; i < 60; ++i) {
-      sim.run(method(), frame, 10);
+      sim.run(method(), frame_time, 10);
       slip = std::max(slip, std::abs(sim.state.position[0].x - path.offset(sim.state.time).x));
     }
     if (holds) {
@@ -131,7 +130,7 @@ TEST_P(Moving, ABounceOffAnApproachingWallGainsTwiceItsSpeed) {
       {.shape = Plane{{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, .restitution = 1.0, .path = {.amplitude = {5.0, 0.0, 0.0}, .frequency = 1e-3}}};
   const double w = sim.system.colliders[0].path.velocity(0.0).x;
   sim.add({0.0, 0.0, 0.0}, 1.0, {-2.0, 0.0, 0.0});
-  for (int i = 0; i < 60; ++i) sim.run(method(), frame, 3);
+  for (int i = 0; i < 60; ++i) sim.run(method(), frame_time, 3);
   EXPECT_NEAR(sim.state.velocity[0].x, 2.0 + 2.0 * w, 1e-6);
 }
 
@@ -171,7 +170,7 @@ TEST(Moving, InTwoDimensionsStaysInThePlane) {
   TestSim sim =
       resting_on({.shape = Plane{}, .friction = 0.5, .path = {.amplitude = {0.1, 0.0, 3.0}, .belt = {1.0, 0.0, 5.0}}}, {0.0, 0.02, 0.0});
   sim.system.dimensions = 2;
-  for (int i = 0; i < 60; ++i) sim.run(*find_integrator("velocity_verlet"), frame, 2);
+  for (int i = 0; i < 60; ++i) sim.run(*find_integrator("velocity_verlet"), frame_time, 2);
   EXPECT_EQ(sim.state.position[0].z, 0.0);
   EXPECT_GT(sim.state.velocity[0].x, 0.1);
 }

@@ -7,13 +7,12 @@
 
 #include "sim/forces/energy/energy.h"
 #include "support/convergence.h"
+#include "support/fall.h"
 #include "support/next_frame.h"
 #include "support/random_scene.h"
 
 namespace hooke {
 namespace {
-
-constexpr double frame = 1.0 / 60.0;
 
 const Integrator& verlet() { return default_integrator(); }
 
@@ -118,7 +117,7 @@ TEST_P(PairContactOf, DoesNotTunnelAtTenKilometersPerSecondInOneSubstep) {
     const PointId bullet = add_ball(sim, 0.001, {-80.0, 0.0003, 0.0}, 0.01, {1e4, 0.0, 0.0});
     const PointId target = add_ball(sim, 0.002, {0.0, 0.0, 0.0}, 0.01);
     add_ball(sim, 0.002, {500.0, 3.0, 0.0}, 0.01);
-    sim.run(method(), frame, 1);
+    sim.run(method(), frame_time, 1);
     EXPECT_LT(sim.velocity(bullet).x, e == 0.0 ? 5100.0 : 1100.0);
     EXPECT_GT(sim.velocity(target).x, e == 0.0 ? 4900.0 : 8900.0);
     EXPECT_NEAR(momentum(sim).linear.x, 100.0, 1e-10);
@@ -186,7 +185,7 @@ TEST(PairContactOfPoints, MakesNewtonsCradleSwing) {
   const double speed = std::sqrt(2.0 * 9.81 * length * (1.0 - std::cos(lift)));
   double largest_last = 0.0;
   for (int i = 0; i < 52; ++i) {
-    sim.run(verlet(), frame, 100);
+    sim.run(verlet(), frame_time, 100);
     EXPECT_NEAR(energy(), start, 2e-3 * supplied) << i;
     largest_last = std::max(largest_last, sim.state.velocity[9].x);
     // between the impacts of the first quarter of the period and the third, only the last ball moves
@@ -204,7 +203,7 @@ TEST(PairContactOfPoints, OfABallWithARowPassesTheVelocityOn) {
   add_ball(sim, 0.05, {-1.0, 0.0, 0.0}, 0.1, {3.0, 0.0, 0.0});
   for (int i = 0; i < 5; ++i) add_ball(sim, 0.05, {0.13 * i, 0.0, 0.0}, 0.1);
   const double start = kinetic_energy(sim);
-  for (int i = 0; i < 60; ++i) sim.run(verlet(), frame, 2);
+  for (int i = 0; i < 60; ++i) sim.run(verlet(), frame_time, 2);
   EXPECT_NEAR(sim.state.velocity[5].x, 3.0, 1e-12);
   EXPECT_NEAR(kinetic_energy(sim), start, 1e-14);
   // the path of the last: it starts when the first has closed the gaps between all
@@ -234,10 +233,10 @@ TEST(PairContactOfPoints, LetsAPileComeToRestWithoutAddingEnergy) {
     TestSim sim = pile(48, 0.3, friction);
     const auto energy = [&] { return compute_energy(sim.system, sim.state); };
     const int substeps = 6;
-    const double start = energy().total(), overlap = 5.0 * 2.0 * 9.81 * std::pow(frame / substeps, 2);
+    const double start = energy().total(), overlap = 5.0 * 2.0 * 9.81 * std::pow(frame_time / substeps, 2);
     double lowest = start, largest_overlap = 0.0;
     for (int i = 0; i < 200; ++i) {
-      sim.run(verlet(), frame, substeps);
+      sim.run(verlet(), frame_time, substeps);
       EXPECT_LT(energy().total(), lowest + 1e-12 * start) << i;
       lowest = std::min(lowest, energy().total());
       largest_overlap = std::max(largest_overlap, max_overlap(sim));
@@ -285,7 +284,7 @@ TEST(PairContactOfPoints, DoesNotDependOnPointsFarAway) {
 TEST(PairContactOfPoints, RepeatsWithTheSameBits) {
   const auto run = [] {
     TestSim sim = pile(32, 0.5, 0.3);
-    for (int i = 0; i < 30; ++i) sim.run(verlet(), frame, 4);
+    for (int i = 0; i < 30; ++i) sim.run(verlet(), frame_time, 4);
     return sim.state;
   };
   const State first = run(), second = run();
@@ -323,8 +322,8 @@ TEST(PairContactOfPoints, RemovesOverlapsAtTheFrequencyOfContact) {
   sim.system.contact.damping_ratio = 10.0;
   add_ball(sim, 0.1, {0.0, 0.0, 0.0});
   add_ball(sim, 0.1, {0.15, 0.0, 0.0});
-  const double h = frame / 4.0, omega = 2.0 * std::numbers::pi * 5.0, rate = omega / (20.0 + h * omega);
-  sim.run(verlet(), 10.0 * frame, 40);
+  const double h = frame_time / 4.0, omega = 2.0 * std::numbers::pi * 5.0, rate = omega / (20.0 + h * omega);
+  sim.run(verlet(), 10.0 * frame_time, 40);
   EXPECT_NEAR(glm::distance(sim.state.position[0], sim.state.position[1]), 0.2 - 0.05 * std::pow(1.0 - h * rate, 40), 1e-12);
   EXPECT_EQ(sim.state.velocity[1], Vec3(0.0));
   sim.state.velocity[1] = Vec3(1.0, 0.0, 0.0);

@@ -6,15 +6,13 @@
 
 #include "sim/contact/gap.h"
 #include "sim/forces/energy/energy.h"
+#include "sim/methods/rows.h"
 #include "support/convergence.h"
+#include "support/fall.h"
 #include "support/test_sim.h"
 
 namespace hooke {
 namespace {
-
-constexpr double g = 9.81, frame = 1.0 / 60.0;
-
-const Integrator& verlet() { return *find_integrator("velocity_verlet"); }
 
 // A point on a plane through the origin that slopes down towards +x at `angle`; `down` is the direction of sliding.
 struct Incline {
@@ -40,8 +38,8 @@ TEST_P(Slide, SticksUpToTheFrictionAngleAndNotBeyond) {
     Incline slips(angle, std::tan(angle) * (1.0 - 1e-6), 0.0);
     const Vec3 start = sticks.sim.state.position[0];
     for (int i = 0; i < 60; ++i) {
-      sticks.sim.run(method(), frame, 3);
-      slips.sim.run(method(), frame, 3);
+      sticks.sim.run(method(), frame_time, 3);
+      slips.sim.run(method(), frame_time, 3);
     }
     EXPECT_EQ(sticks.sim.state.position[0], start) << "angle " << angle;
     EXPECT_EQ(sticks.sim.state.velocity[0], Vec3(0.0)) << "angle " << angle;
@@ -75,7 +73,7 @@ TEST(Slide, UphillStopsAndStaysOrSlidesBack) {
   const double angle = 0.4, v0 = 2.0, sine = std::sin(angle), cosine = std::cos(angle);
   for (const double friction : {0.6, 0.2}) {
     Incline incline(angle, friction, -v0);
-    for (int i = 0; i < 60; ++i) incline.sim.run(verlet(), frame, 1);
+    for (int i = 0; i < 60; ++i) incline.sim.run(velocity_verlet, frame_time, 1);
     const double slowing = g * (sine + friction * cosine), top = -0.5 * v0 * v0 / slowing, left = 1.0 - v0 / slowing;
     const double back = std::max(0.0, g * (sine - friction * cosine));
     EXPECT_NEAR(incline.displacement(), top + 0.5 * back * left * left, 1e-12) << "mu = " << friction;
@@ -88,9 +86,9 @@ TEST_P(Slide, OnAHorizontalPlaneStopsAfterTheStoppingDistance) {
   for (const double friction : {0.1, 0.5, 2.0})
     for (const int substeps : {1, 7}) {
       Incline flat(0.0, friction, 3.0);
-      for (int i = 0; i < 240; ++i) flat.sim.run(method(), frame, substeps);
+      for (int i = 0; i < 240; ++i) flat.sim.run(method(), frame_time, substeps);
       // symplectic Euler's own path is up to half a step ahead
-      const double ahead = method().is_symplectic() ? std::abs(method().velocity_lag) * 3.0 * frame / substeps : 0.0;
+      const double ahead = method().is_symplectic() ? std::abs(method().velocity_lag) * 3.0 * frame_time / substeps : 0.0;
       EXPECT_NEAR(flat.displacement(), 9.0 / (2.0 * friction * g), ahead + 1e-11) << "mu = " << friction;
       EXPECT_EQ(flat.sim.state.velocity[0], Vec3(0.0)) << "mu = " << friction;
     }
@@ -145,7 +143,7 @@ TEST_P(Rest, LastsTenThousandFrames) {
     for (std::size_t which = 0; which < sims.size(); ++which) {
       TestSim& sim = sims[which];
       const Vec3 start = sim.state.position[0];
-      for (int i = 0; i < 10000; i += 20) sim.run(method(), 20.0 * frame, 20);
+      for (int i = 0; i < 10000; i += 20) sim.run(method(), 20.0 * frame_time, 20);
       EXPECT_LT(glm::distance(sim.state.position[0], start), 1e-12) << "scene " << which << ", e = " << restitution;
       EXPECT_EQ(sim.state.velocity[0], Vec3(0.0)) << "scene " << which << ", e = " << restitution;
     }
@@ -160,7 +158,7 @@ TEST_P(Rest, UnderASpringIsOnTheFloor) {
     const PointId point = sim.add({0.0, 0.3, 0.0}, 1.0);
     sim.join(point, sim.nail({0.0, 1.0, 0.0}), stiffness, 1.5);
     sim.system.colliders = {{.shape = Plane{}, .restitution = 0.3, .friction = 0.2}};
-    for (int i = 0; i < 60; ++i) sim.run(method(), frame, 200);
+    for (int i = 0; i < 60; ++i) sim.run(method(), frame_time, 200);
     EXPECT_NEAR(sim.position(point).y, 0.0, 1e-13) << "k = " << stiffness;
     EXPECT_EQ(sim.velocity(point).y, 0.0) << "k = " << stiffness;
   }
@@ -197,9 +195,9 @@ TestSim on_ball(double angle, double radius, double friction = 0.0) {
 // the point leaves where the cosine is 2/3 of its initial value, within the angle of one step
 TEST_P(Slide, DownABallLosesContactAtTwoThirds) {
   const double radius = 0.5, start = 0.05;
-  for (const int substeps : {1, 10, 100, 1000}) {
+  for (const int substeps : {1, 10, 100}) {
     TestSim sim = on_ball(start, radius);
-    const double h = frame / substeps;
+    const double h = frame_time / substeps;
     double cosine = 1.0, speed = 0.0;
     for (int i = 0; i < 120 * substeps; ++i) {
       sim.run(method(), h, 1);
@@ -220,7 +218,7 @@ TEST(Slide, DownABallConservesEnergyToSecondOrder) {
   const auto error = [&](int steps) {
     TestSim sim = on_ball(0.2, 0.5);
     const double start = compute_energy(sim.system, sim.state).total();
-    sim.run(verlet(), 0.35, steps);
+    sim.run(velocity_verlet, 0.35, steps);
     EXPECT_NEAR(glm::length(sim.state.position[0]), 0.5, 1e-12);
     return std::abs(compute_energy(sim.system, sim.state).total() - start);
   };
@@ -230,7 +228,7 @@ TEST(Slide, DownABallConservesEnergyToSecondOrder) {
 TEST(Slide, DownABallWithFrictionConverges) {
   const auto end = [&](int steps) {
     TestSim sim = on_ball(0.5, 0.5, 0.2);
-    sim.run(verlet(), 0.3, steps);
+    sim.run(velocity_verlet, 0.3, steps);
     EXPECT_NEAR(glm::length(sim.state.position[0]), 0.5, 1e-12);
     return sim.state.position[0];
   };
@@ -241,8 +239,8 @@ TEST(Slide, DownABallWithFrictionConverges) {
 TEST(Slide, OnABallSticksUpToTheFrictionAngle) {
   TestSim sticks = on_ball(0.5, 0.5, std::tan(0.5) * 1.000001), slips = on_ball(0.5, 0.5, std::tan(0.5) * 0.999);
   const Vec3 start = sticks.state.position[0];
-  sticks.run(verlet(), 1.0, 60);
-  slips.run(verlet(), 1.0, 60);
+  sticks.run(velocity_verlet, 1.0, 60);
+  slips.run(velocity_verlet, 1.0, 60);
   EXPECT_EQ(sticks.state.position[0], start);
   EXPECT_GT(glm::distance(slips.state.position[0], start), 1e-4);
 }
@@ -251,7 +249,7 @@ TEST(Slide, OnABallSticksUpToTheFrictionAngle) {
 TEST_P(Slide, DownATinyBallIsFinite) {
   TestSim sim = on_ball(0.01, 1e-3);
   for (int i = 0; i < 120; ++i) {
-    sim.run(method(), frame, 1);
+    sim.run(method(), frame_time, 1);
     ASSERT_GT(glm::length(sim.state.position[0]), 1e-3 - 1e-13);
   }
   EXPECT_LT(sim.state.position[0].y, -1.0);
@@ -277,7 +275,7 @@ TEST_P(Slide, OffATableWithARadiusFallsAroundTheEdge) {
   sim.system.point(0).radius = 0.05;
   sim.system.colliders = {{.shape = Box{.min = {-1.0, -0.1, -1.0}, .max = {0.1, 0.0, 1.0}}, .restitution = 0.5}};
   for (int i = 0; i < 60; ++i) {
-    sim.run(method(), frame, 4);
+    sim.run(method(), frame_time, 4);
     ASSERT_GT(gap_to(sim.system.colliders[0], 0.05, sim.state.position[0]).distance, -1e-12);
   }
   EXPECT_LT(sim.state.position[0].y, -1.0);
@@ -318,7 +316,7 @@ TEST_P(Slide, DownABallOntoAFloorEndsInTheCorner) {
   sim.system.colliders.push_back({.shape = Plane{.point = {0.0, 0.4, 0.0}}, .friction = 0.5});
   sim.system.colliders.push_back({.shape = Plane{.point = {0.35, 0.0, 0.0}, .normal = {-1.0, 0.0, 0.0}}, .friction = 0.5});
   for (int i = 0; i < 180; ++i) {
-    sim.run(method(), frame, 1);
+    sim.run(method(), frame_time, 1);
     for (const Collider& collider : sim.system.colliders)
       ASSERT_GT(gap_to(collider, 0.0, sim.state.position[0]).distance, -1e-13) << "frame " << i;
   }
@@ -341,7 +339,7 @@ TEST_P(Rest, InAGrooveIsReachedFromAbove) {
       TestSim sim = groove(angle, restitution, 0.3);
       sim.add({0.1, 0.8, 0.0}, 1.0, {0.3, 0.0, 0.0});
       sim.system.point(0).radius = 0.05;
-      for (int i = 0; i < 1200; ++i) sim.run(method(), frame, 1);
+      for (int i = 0; i < 1200; ++i) sim.run(method(), frame_time, 1);
       for (const Collider& collider : sim.system.colliders)
         EXPECT_GT(gap_to(collider, 0.05, sim.state.position[0]).distance, -1e-12) << "angle " << angle << ", e = " << restitution;
       EXPECT_LT(glm::length(sim.state.velocity[0]), 1e-9) << "angle " << angle << ", e = " << restitution;
@@ -357,7 +355,7 @@ TEST_P(Slide, AlongAGrooveIsUnimpeded) {
   TestSim sim = groove(0.7, 0.5, 0.0);
   sim.add({0.0, 0.05 / std::sin(0.7), 0.0}, 1.0, {0.0, 0.0, 1.5});
   sim.system.point(0).radius = 0.05;
-  for (int i = 0; i < 60; ++i) sim.run(method(), frame, 1);
+  for (int i = 0; i < 60; ++i) sim.run(method(), frame_time, 1);
   EXPECT_LT(glm::distance(sim.state.position[0], Vec3(0.0, 0.05 / std::sin(0.7), 1.5)), 1e-12);
 }
 
@@ -367,7 +365,7 @@ TEST(Slide, AlongAGrooveIsSlowedByTheFrictionOfBothSides) {
   TestSim sim = groove(angle, 0.0, friction);
   sim.add({0.0, 0.05 / std::sin(angle), 0.0}, 1.0, {0.0, 0.0, 1.5});
   sim.system.point(0).radius = 0.05;
-  sim.run(verlet(), 0.5, 30);
+  sim.run(velocity_verlet, 0.5, 30);
   EXPECT_NEAR(sim.state.position[0].z, 1.5 * 0.5 - 0.5 * slowing * 0.25, 1e-12);
 }
 
@@ -378,8 +376,8 @@ TEST_P(Slide, IntoAWallStopsAtTheWall) {
     sim.add({0.0, 0.0, 0.0}, 1.0, {100.0, 0.0, 0.0});
     sim.system.colliders = {{.shape = Plane{}},
                             {.shape = Box{.min = {0.5, -1.0, -1.0}, .max = {0.501, 1.0, 1.0}}, .restitution = restitution}};
-    sim.run(method(), frame, 1);
-    const double left = frame - 0.5 / 100.0;
+    sim.run(method(), frame_time, 1);
+    const double left = frame_time - 0.5 / 100.0;
     EXPECT_NEAR(sim.state.position[0].x, 0.5 - restitution * 100.0 * left, 1e-12);
     EXPECT_NEAR(sim.state.velocity[0].x, -restitution * 100.0, 1e-10);
     EXPECT_NEAR(sim.state.position[0].y, 0.0, 1e-13);

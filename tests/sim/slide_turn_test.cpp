@@ -8,12 +8,11 @@
 #include <random>
 
 #include "support/convergence.h"
+#include "support/fall.h"
 #include "support/test_sim.h"
 
 namespace hooke {
 namespace {
-
-constexpr double g = 9.81;  // [m/s^2]
 
 class SlideThatTurns : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, SlideThatTurns, testing::ValuesIn(every_method()), method_name);

@@ -8,13 +8,12 @@
 
 #include "sim/forces/forces.h"
 #include "support/convergence.h"
+#include "support/fall.h"
 #include "support/nets.h"
 #include "support/random_scene.h"
 
 namespace hooke {
 namespace {
-
-constexpr double g = 9.81;
 
 // Strong drag and a method that never blows up, with enough steps for all motion to decay.
 void run_to_rest(TestSim& sim, double seconds) {

@@ -7,13 +7,13 @@
 
 #include "sim/forces/force_terms.h"
 #include "sim/forces/terms/rows.h"
+#include "support/fall.h"
 #include "support/nets.h"
 #include "support/random_scene.h"
 
 namespace hooke {
 namespace {
 
-constexpr double frame_time = 1.0 / 60.0;
 constexpr int substeps = 40;
 
 // `frames` frames of `per_frame` substeps each; a frame of one substep is never taken at once.

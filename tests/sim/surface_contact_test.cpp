@@ -9,16 +9,13 @@
 #include "sim/forces/energy/energy.h"
 #include "support/convergence.h"
 #include "support/crossings.h"
+#include "support/fall.h"
 #include "support/folds.h"
 #include "support/margin_run.h"
 #include "support/random_scene.h"
 
 namespace hooke {
 namespace {
-
-constexpr double frame = 1.0 / 60.0;
-
-const Integrator& verlet() { return default_integrator(); }
 
 double energy(const TestSim& sim) { return compute_energy(sim.system, sim.state).total(); }
 
@@ -27,7 +24,7 @@ long worst_crossings(TestSim sim, const Integrator& method, int frames, int subs
   const CrossingCounter counter(sim.system);
   long worst = 0;
   for (int i = 0; i < frames; ++i) {
-    sim.run(method, frame, substeps);
+    sim.run(method, frame_time, substeps);
     for (const Vec3& x : sim.state.position) EXPECT_TRUE(std::isfinite(x.x + x.y + x.z));
     worst = std::max(worst, counter.count(sim.state.position));
   }
@@ -43,10 +40,10 @@ TEST(SurfaceContact, LetsNoClothPassThroughItselfOrAnother) {
   for (auto& [name, sim, frames, substeps] :
        {Case{"dropped", dropped_sheet(15), 40, 50}, Case{"colliding", colliding_sheets(13), 12, 60},
         Case{"pulled", pulled_sheet(11, 3.0), 50, 50}, Case{"pulled fast", pulled_sheet(11, 10.0), 20, 50}}) {
-    EXPECT_GT(worst_crossings(sim, verlet(), frames, substeps), 10) << name;
+    EXPECT_GT(worst_crossings(sim, default_integrator(), frames, substeps), 10) << name;
     TestSim touching = sim;
     folds::touch(touching);
-    EXPECT_EQ(worst_crossings(touching, verlet(), frames, substeps), 0) << name;
+    EXPECT_EQ(worst_crossings(touching, default_integrator(), frames, substeps), 0) << name;
   }
 }
 
@@ -75,7 +72,7 @@ TEST(SurfaceContact, PressesNothingIntoColliders) {
     double depth = 0.0;
     long crossings = 0;
     for (int i = 0; i < 20; ++i) {
-      sim.run(method, frame, 2);
+      sim.run(method, frame_time, 2);
       if (std::ranges::any_of(sim.state.velocity, [](const Vec3& v) { return glm::length(v) > unstable; })) break;
       crossings = std::max(crossings, counter.count(sim.state.position));
       for (const Vec3& x : sim.state.position)
@@ -91,7 +88,7 @@ TEST(SurfaceContact, LetsNothingThroughAtAHundredMetersPerSecondInOneSubstepPerF
   for (Vec3& v : sim.state.velocity) v *= 10.0;
   TestSim touching = sim;
   folds::touch(touching);
-  for (TestSim* each : {&sim, &touching}) each->run(*find_integrator("implicit_euler"), frame, 1);
+  for (TestSim* each : {&sim, &touching}) each->run(*find_integrator("implicit_euler"), frame_time, 1);
   EXPECT_EQ(CrossingCounter(sim.system).count(touching.state.position), 0);
   // the first sheet is above the second, or still below it
   EXPECT_GT(sim.state.position[12].z, sim.state.position[37].z + 1.0);
@@ -107,7 +104,7 @@ TEST(SurfaceContact, StopsTheFrameWherePathsAreFarTooLong) {
   for (Vec3& v : sim.state.velocity) v = {random.uniform(-1e7, 1e7), random.uniform(-1e7, 1e7), random.uniform(-1e7, 1e7)};
   Plan plan = make_plan(sim.system);
   Frame frame;
-  frame.begin(plan, sim.system, {.integrator = &verlet(), .substeps = 4}, sim.state);
+  frame.begin(plan, sim.system, {.integrator = &default_integrator(), .substeps = 4}, sim.state);
   while (!frame.done()) frame.substep(plan);
   EXPECT_EQ(frame.failure(), StepFailure::TooManyPairs);
 }
@@ -130,7 +127,7 @@ TEST_P(SurfaceContactOf, ConservesLinearMomentumToRounding) {
   for (Vec3& v : sim.state.velocity) v += Vec3(1.0, -2.0, 3.0);
   const Vec3 before = compute_momentum(sim.system, sim.state).linear;
   const double start = energy(sim);
-  for (int i = 0; i < (method().stability == Stability::None ? 2 : 6); ++i) sim.run(method(), frame, 40);
+  for (int i = 0; i < (method().stability == Stability::None ? 2 : 6); ++i) sim.run(method(), frame_time, 40);
   if (method().stability != Stability::None) {
     EXPECT_LT(energy(sim), 0.9 * start);
   }
@@ -146,7 +143,7 @@ TEST(SurfaceContact, AddsNoEnergyAndBooksWhatItRemoves) {
     Plan plan = make_plan(sim.system);
     Frame run;
     for (int i = 0; i < 40; ++i) {
-      run.begin(plan, sim.system, {.integrator = &verlet(), .frame_rate = 60, .substeps = 100}, sim.state);
+      run.begin(plan, sim.system, {.integrator = &default_integrator(), .frame_rate = 60, .substeps = 100}, sim.state);
       while (!run.done()) run.substep(plan);
       run.end(plan, sim.state);
       booked += run.motion().energy[EnergyCause::Contact];
@@ -174,7 +171,7 @@ TestSim triangle_on_triangle(const Vec3& place, const Vec3& velocity, double fri
 
 TEST_P(SurfaceContactOf, StopsWhatFallsAtTheThickness) {
   TestSim sim = triangle_on_triangle({0.0, 0.1, 0.0}, Vec3(0.0), 0.0);
-  for (int i = 0; i < 30; ++i) sim.run(method(), frame, 20);
+  for (int i = 0; i < 30; ++i) sim.run(method(), frame_time, 20);
   for (int i = 3; i < 6; ++i) {
     EXPECT_NEAR(sim.state.position[i].y, 0.01, 1e-5) << i;
     EXPECT_NEAR(sim.state.velocity[i].y, 0.0, 1e-6) << i;
@@ -185,16 +182,16 @@ TEST_P(SurfaceContactOf, StopsWhatFallsAtTheThickness) {
 TEST(SurfaceContact, ObeysCoulombFriction) {
   const double mu = 0.4, g = 9.81, speed = 2.0, time = 0.4;
   TestSim sim = triangle_on_triangle({0.0, 0.01, 0.0}, {speed, 0.0, 0.0}, mu);
-  sim.run(verlet(), time, 400);
+  sim.run(default_integrator(), time, 400);
   EXPECT_NEAR(sim.state.velocity[3].x, speed - mu * g * time, 1e-9);
-  for (int i = 0; i < 10; ++i) sim.run(verlet(), 0.1, 100);
+  for (int i = 0; i < 10; ++i) sim.run(default_integrator(), 0.1, 100);
   EXPECT_NEAR(sim.state.velocity[3].x, 0.0, 1e-12);
   EXPECT_NEAR(sim.state.position[3].x, speed * speed / (2.0 * mu * g), 3e-3);
 
   for (const double alpha : {0.3, 0.5}) {
     sim = triangle_on_triangle({0.0, 0.01, 0.0}, Vec3(0.0), mu);
     sim.system.gravity = g * Vec3(std::sin(alpha), -std::cos(alpha), 0.0);
-    sim.run(verlet(), time, 400);
+    sim.run(default_integrator(), time, 400);
     EXPECT_NEAR(sim.state.velocity[3].x, std::max(0.0, g * (std::sin(alpha) - mu * std::cos(alpha))) * time, 1e-6) << alpha;
   }
 }
@@ -210,7 +207,7 @@ TEST(SurfaceContact, LetsAPileOfSheetsComeToRest) {
   sim.system.colliders = {{.shape = Plane{}, .friction = 0.3}};
   folds::touch(sim);
   const double start = energy(sim);
-  for (int i = 0; i < 180; ++i) sim.run(verlet(), frame, 25);
+  for (int i = 0; i < 180; ++i) sim.run(default_integrator(), frame_time, 25);
   const Energy end = compute_energy(sim.system, sim.state);
   EXPECT_LT(end.kinetic, 1e-6 * (start - end.total()));
   EXPECT_EQ(CrossingCounter(sim.system).count(sim.state.position), 0);
@@ -234,7 +231,7 @@ TEST(SurfaceContact, RepeatsWithTheSameBits) {
   const auto run = [] {
     TestSim sim = dropped_sheet(9);
     folds::touch(sim);
-    for (int i = 0; i < 40; ++i) sim.run(verlet(), frame, 40);
+    for (int i = 0; i < 40; ++i) sim.run(default_integrator(), frame_time, 40);
     return sim.state;
   };
   EXPECT_EQ(run(), run());
@@ -249,7 +246,7 @@ TEST(SurfaceContact, LeavesWhatIsCrossedAtTheStartAlone) {
   EXPECT_GT(counter.count(sim.state.position), 10);
   const double start = energy(sim);
   for (int i = 0; i < 60; ++i) {
-    sim.run(verlet(), frame, 40);
+    sim.run(default_integrator(), frame_time, 40);
     EXPECT_LT(energy(sim), 1.02 * start) << i;
   }
 }
@@ -263,7 +260,7 @@ TEST(SurfaceContact, LeavesAFlatSheetAtRest) {
   for (const double thickness : {0.0, 0.01, 1.0}) {
     sim.system.contact = {.faces = true, .thickness = thickness};
     const std::vector<Vec3> before = sim.state.position;
-    sim.run(verlet(), frame, 10);
+    sim.run(default_integrator(), frame_time, 10);
     for (std::size_t i = 0; i < before.size(); ++i) EXPECT_LT(glm::distance(sim.state.position[i], before[i]), 1e-12);
   }
 }

@@ -83,7 +83,7 @@ TestSim band(Index stride, Index count, int dimensions) {
 }
 
 // runs shorter and longer than any vector, at strides below, at and above the number of lanes, and any graph
-std::vector<TestSim> assorted_sims() {
+std::vector<TestSim> assorted_nets() {
   std::vector<TestSim> sims;
   for (const int dimensions : {2, 3}) {
     for (Index stride = 1; stride <= 10; ++stride)
@@ -100,7 +100,7 @@ std::vector<TestSim> assorted_sims() {
 constexpr double duration = 0.05;
 
 TEST(DashpotSweep, EqualsAPlainLoopBitForBitOnEveryVectorTarget) {
-  const std::vector<TestSim> sims = assorted_sims();
+  const std::vector<TestSim> sims = assorted_nets();
   for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().DeInit();
@@ -118,7 +118,7 @@ TEST(DashpotSweep, EqualsAPlainLoopBitForBitOnEveryVectorTarget) {
 
 // over a negative duration; round-off grows by the factor of the damping
 TEST(DashpotSweep, BackwardUndoesForward) {
-  for (const TestSim& sim : assorted_sims()) {
+  for (const TestSim& sim : assorted_nets()) {
     Swept swept(sim, 1e-4);
     const Field start = swept.motion.v;
     swept.motion.v = swept.velocities_after(SweepDirection::Forward);

@@ -19,16 +19,16 @@ namespace {
 constexpr double frame_rate = 60.0;
 constexpr ForceValues breeze{2.0, 1.0, -3.0, 0.6, 0.1, 0.0, 1.0, 1.0}, storm{12.0, 5.0, -20.0, 1.2, 0.2, 0.0, 1.0, 1.0};
 
-struct Outcome {
+struct RunOutcome {
   State state;
   long evaluations = 0, sweeps = 0;
   double work = 0.0;  // [J], of the wind
 };
 
-Outcome run(const TestSim& start, int frames, const Settings& settings) {
+RunOutcome run(const TestSim& start, int frames, const Settings& settings) {
   Plan plan = make_plan(start.system);
   Frame frame;
-  Outcome result{.state = start.state};
+  RunOutcome result{.state = start.state};
   for (int i = 0; i < frames; ++i) {
     result.state = next_frame(plan, frame, start.system, settings, result.state);
     result.evaluations += frame.motion().counts.force_evaluations;
@@ -37,10 +37,10 @@ Outcome run(const TestSim& start, int frames, const Settings& settings) {
   }
   return result;
 }
-Outcome run(const TestSim& start, int frames, int substeps, const Integrator& method = velocity_verlet_explicit) {
+RunOutcome run(const TestSim& start, int frames, int substeps, const Integrator& method = velocity_verlet_explicit) {
   return run(start, frames, Settings{.integrator = &method, .substeps = substeps});
 }
-Outcome exact_run(const TestSim& start, int frames) { return run(start, frames, Settings{.integrator = &dop853, .tolerance = 1e-13}); }
+RunOutcome exact_run(const TestSim& start, int frames) { return run(start, frames, Settings{.integrator = &dop853, .tolerance = 1e-13}); }
 
 // The fewest substeps within the limit, with this part of it.
 int min_substeps(const TestSim& sim, double part) {
@@ -79,7 +79,7 @@ TestSim net_in_wind(double damping, const ForceValues& wind) {
 
 TEST(ExplicitVerlet, EvaluatesEverythingOncePerStep) {
   for (const TestSim& sim : {net(17, 500.0, 0.1), net(5, 500.0, 0.1), net_in_wind(0.0, breeze), net_in_wind(0.1, storm)}) {
-    const Outcome outcome = run(sim, 1, 40);
+    const RunOutcome outcome = run(sim, 1, 40);
     // and once at the start of the frame
     EXPECT_EQ(outcome.evaluations, 41);
     EXPECT_EQ(outcome.sweeps, 0);

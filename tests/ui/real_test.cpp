@@ -71,7 +71,9 @@ TEST(StretchOfSprings, IsExplainedBelowTheirProperties) {
 }
 
 TEST(Lesson, ChecksOffEachStepWhenItIsDoneAndNotBefore) {
-  GuiFixture gui(load_scene(find_scene("how_wrong")).scene);
+  Scene scene = load_scene(find_scene("how_wrong")).scene;
+  scene.settings.speed = 10.0;
+  GuiFixture gui(scene);
   const auto done = [&] {
     gui.frames(2);
     return gui.app().panels().side.lesson_steps_done;

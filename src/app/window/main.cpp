@@ -81,6 +81,16 @@ int open_window(const std::string& name, bool from_desktop, bool on_gpu) {
   return 0;
 }
 
+// In the words of hooke-headless.
+std::string describe(const CLI::ParseError& error, const CLI::App& line) {
+  std::string what = printable(error.what()), words;
+  for (const std::string& word : line.remaining(true)) words += " " + word;
+  if (!words.empty()) return "not expected:" + printable(words);
+  return what.ends_with(" missing") ? what.substr(0, what.find(' ')) + " its value is missing" : what;
+}
+
+std::string check_device(const std::string& word) { return word == "cpu" || word == "gpu" ? "" : word + ": must be cpu or gpu"; }
+
 int start(int count, char** arguments) {
   if (count > 1 && std::ranges::find(commands, arguments[1]) != std::end(commands)) return exec_hooke_cli(arguments);
 
@@ -91,13 +101,14 @@ int start(int count, char** arguments) {
   line.add_flag("--from-desktop", from_desktop, "Show in the window why SCENE cannot be opened, where no terminal would show it.");
   line.add_flag("--reset-settings", reset_settings, "Delete the saved settings and start with the defaults.");
   std::string device;
-  line.add_option("--device", device, "Compute on cpu, the default, or gpu: what runs there.")->check(CLI::IsMember({"cpu", "gpu"}));
+  line.add_option("--device", device, "Compute on cpu, the default, or gpu: what runs there.")->check(check_device);
   line.set_version_flag("--version", [] { return "hooke " HOOKE_VERSION "\n" + describe_gpu(); });
   line.footer("Without a window: hooke run|capture|convert ... (hooke run --help).");
   try {
     line.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
-    return line.exit(error) == 0 ? 0 : exit_usage;
+    if (error.get_exit_code() == 0) return line.exit(error);  // help or version
+    return print_error(exit_usage, describe(error, line) + " (see --help)");
   }
   if (reset_settings) std::filesystem::remove(xdg_home().config / "settings.json");
   return open_window(scene, from_desktop, device == "gpu");
@@ -111,9 +122,7 @@ int main(int count, char** arguments) {
     return hooke::start(count, arguments);
   } catch (const hooke::InputError& refused) {
     return hooke::print_error(hooke::exit_refused, refused.what());
-  } catch (const hooke::FileError& error) {
-    return hooke::print_error(hooke::exit_io, error.what());
-  } catch (const std::exception& error) {  // no window, no graphics, out of memory
+  } catch (const std::exception& error) {  // a file, no window, no graphics, out of memory
     return hooke::print_error(hooke::exit_io, error.what());
   }
 }

@@ -54,10 +54,7 @@ int capture(const Options& options) {
   });
   progress.reset();
 
-  if (results.interrupted) {
-    std::cerr << "Interrupted: the pictures end at t = " << number_text(lab.scene().state.time) << " s.\n";
-    return exit_interrupted();
-  }
+  if (results.interrupted) return report_interrupted("pictures", {options.out}, lab.scene().state.time);
   if (!results.error_limit.empty()) std::cerr << results.error_limit << "\n";
   if (!lab.difference().empty())
     std::cerr << "warning: " << printable(*options.replay) << ": " << lab.difference() << "; what follows is the motion of this version\n";

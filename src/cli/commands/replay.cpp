@@ -49,10 +49,8 @@ int replay(const ReplayOptions& options) {
   }
   output.finish(totals);
 
-  if (totals.interrupted) {
-    std::cerr << "Interrupted: the results end at t = " << number_text(scene.state.time) << " s.\n";
-    return exit_interrupted();
-  }
+  const RunFiles& files = options.output.files;
+  if (totals.interrupted) return report_interrupted("results", {files.json, files.csv}, scene.state.time);
   const bool is_same = lab.difference().empty(), is_cut = is_same && recording->is_truncated;
   const std::string failure = is_cut ? truncated_recording : lab.difference();
   if (options.junit) {

@@ -92,10 +92,7 @@ int run_engine(const RunOptions& options) {
   catch_interrupts();
   const EngineResults results = run_with_engine(scene, request, hooks, [] { return !was_interrupted(); });
   progress.reset();
-  if (results.is_stopped) {
-    std::cerr << "Interrupted: the engine was ended and nothing was written.\n";
-    return exit_interrupted();
-  }
+  if (results.is_stopped) return std::cerr << "Interrupted: the engine was ended and nothing was written.\n", exit_interrupted();
   finish(options, scene, output, results.totals, {});
   if (!results.totals.diverged) return exit_code::success;
   std::cerr << results.divergence << "\n";
@@ -140,10 +137,8 @@ int run(const RunOptions& options) {
   finish(options, scene, output, results.totals, lab.accuracy());
   if (!options.scene->quiet)
     for (const std::string& warning : results.warnings) std::cerr << "warning: " << warning << "\n";
-  if (results.totals.interrupted) {
-    std::cerr << "Interrupted: the results end at t = " << number_text(scene.state.time) << " s.\n";
-    return exit_interrupted();
-  }
+  const RunFiles& files = options.output.files;
+  if (results.totals.interrupted) return report_interrupted("results", {files.json, files.csv, files.pc2}, scene.state.time);
   if (limit && !limit->message().empty()) {
     std::cerr << limit->message() << "\n";
     if (!results.totals.diverged) return exit_code::check_failed;

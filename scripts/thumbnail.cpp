@@ -1,4 +1,4 @@
-#include "cli/thumbnail.h"
+#include "thumbnail.h"
 
 #include <cmath>
 
