@@ -276,6 +276,16 @@ TEST_P(Layouts, PanelsAboutErrorsAreReadable) {
   expect_in_order(gui, "comparison in progress", "Measuring the methods", build);
   comparison.is_running = false;
   expect_in_order(gui, "comparison result", "Again", build);
+
+  // a method with the error of the reference has no place on a logarithmic axis, and one that always failed has none either
+  MethodComparison gaps = compared_methods();
+  for (Row& row : gaps.record.rows) {
+    if (row.method == "dop853") row.error = 0.0;
+    if (row.method == "explicit_euler") row.error.reset();
+  }
+  comparison.result = std::make_shared<const MethodComparison>(gaps);
+  expect_in_order(gui, "comparison with an exact method", "The same as the reference: Dormand-Prince 8(5,3)", build);
+  expect_in_order(gui, "comparison with a failed method", "Too slow or unstable here: Explicit Euler", build);
 }
 
 TEST_P(Layouts, TheBannerOfAFailedRunIsReadable) {
