@@ -127,7 +127,7 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
     results.warnings.push_back(refusal + "; the processor computed the rest");
   if (tolerance.frames_beyond() > 0) results.warnings.push_back(tolerance.warning());
   if (!totals.diverged)
-    if (const auto warning = accumulated_warning(lab.accuracy(), scene.settings)) results.warnings.push_back(*warning);
+    if (const auto warning = accumulated_warning(lab.accuracy())) results.warnings.push_back(*warning);
   return results;
 }
 

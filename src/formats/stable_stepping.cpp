@@ -37,7 +37,7 @@ std::optional<std::string> choose_stable_stepping(Scene& scene, int min_substeps
 
   if (stable_substeps) {
     settings.substeps = std::max(min_substeps, *stable_substeps);
-    return "its springs are so stiff that it needs " + std::to_string(*stable_substeps) + " substeps per frame: it will run slowly";
+    return limits.limit_text(explicit_method, settings.frame_rate) + ": it will run slowly";
   }
   settings.substeps = max_substeps;
   return "its springs are so stiff that no step is stable: expect it to blow up";

@@ -81,9 +81,8 @@ std::optional<std::string> step_warning(const System& system, const State& state
                                                                  : "needs more than " + number_text(max_substeps) + " substeps per frame";
   const std::string other(advice.integrator->id);
   // only a bound on the step can be recommended without a test
-  if (!std::isfinite(limits.stable_step(*advice.integrator)))
-    return "simulation.integrator: " + id + ": " + reason + " here; " + other + " has no linear limit, but is not tested on this scene";
-  if (advice.integrator == &method) return "simulation.integrator: " + id + ": " + reason + " here";
+  if (advice.integrator == &method || !std::isfinite(limits.stable_step(*advice.integrator)))
+    return "simulation.integrator: " + id + ": " + reason + " here";
   if (!limits.stable_substeps(*advice.integrator, settings.frame_rate))
     return "simulation.integrator: " + id + ": " + reason + " here, and " +
            (method.stability == Stability::None ? other + " needs more than " + number_text(max_substeps) + " substeps per frame"

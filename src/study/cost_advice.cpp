@@ -7,6 +7,8 @@
 #include "base/number_text.h"
 #include "base/text_lines.h"
 #include "base/threads/thread_time.h"
+#include "lab/accuracy/accuracy_text.h"
+#include "lab/lab.h"
 #include "sim/contact/contact.h"
 #include "sim/control/automatic.h"
 #include "sim/control/frame_error.h"
@@ -14,6 +16,7 @@
 #include "sim/methods/rows.h"
 #include "sim/methods/step_limits.h"
 #include "sim/step/divergence.h"
+#include "study/remedy/remedy.h"
 
 namespace hooke {
 namespace {
@@ -164,6 +167,8 @@ class Search {
   const std::array<double, start_count> errors_;  // [m], of the present settings
 };
 
+double max_error(const Accuracy& accuracy) { return std::max(accuracy.accumulated.value.value_or(0.0), accuracy.max_accumulated.error); }
+
 }  // namespace
 
 CostAdvice advise_on_cost(const System& system, const State& state, const Settings& settings, const std::atomic<bool>& stop) {
@@ -182,6 +187,25 @@ CostAdvice advise_on_cost(const System& system, const State& state, const Settin
       search.try_method(method, advice);
   if (stop) return {};
   return advice;
+}
+
+std::optional<std::string> advise_on_tolerance(Scene start, long frames, const Accuracy& accuracy) {
+  const auto tolerance = tolerance_to_try(accuracy, start.settings);
+  if (!tolerance) return std::nullopt;
+  start.settings.integrator = &automatic_method();
+  start.settings.tolerance = *tolerance;
+  Lab lab(std::move(start), KeepStart::No);
+  lab.submit(SetAccuracy{AccuracyMode::Full});
+  TrialWork work(lab.plan());
+  // measuring takes half as long again as the run
+  double left = 0.4 * default_remedy_work;
+  for (; frames > 0 && left > 0.0; --frames, left -= work.since_last(lab.last_frame(), true))
+    if (!lab.step()) return std::nullopt;
+  const Accuracy found = lab.accuracy();
+  const double error = max_error(found);
+  if (left <= 0.0 || !found.accumulated.value || (accuracy.accumulated.value && error > 0.5 * max_error(accuracy))) return std::nullopt;
+  return "With auto and a tolerance of " + quantity_text(*tolerance, "m/s", 1) +
+         ", a copy of this run has an accumulated error of at most " + length_text(error) + ".";
 }
 
 std::string describe(const TestedCost& tested, const Settings& present) {

@@ -134,7 +134,7 @@ bool is_expected_cause(const std::string& kind, Remedy::Cause cause) {
   return cause != NotReproduced;
 }
 
-class Remedies : public InParts<3> {};
+class Remedies : public InParts<8> {};
 INSTANTIATE_TEST_SUITE_P(Daily, Remedies, testing::Values(0));
 INSTANTIATE_TEST_SUITE_P(Nightly, Remedies, testing::Range(1, Remedies::parts));
 
@@ -162,9 +162,9 @@ TEST_P(Remedies, AreStable) {
   }
   std::string names;
   for (const auto& [name, count] : stable) names += name + " ";
-  EXPECT_GE(diverged, 9) << "not diverged: " << names;
-  EXPECT_GE(cured, 9 * diverged / 10);
-  EXPECT_GE(without_warning, 8 * diverged / 10);
+  EXPECT_GE(diverged, 3) << "not diverged: " << names;
+  EXPECT_GE(cured, diverged - 1);
+  EXPECT_GE(without_warning, cured - 1);
 }
 
 // The number of substeps that is shown below the slider and the recommended one differ by a margin.
@@ -191,12 +191,12 @@ TEST(Remedy, IsTheCheapestSettingAndOneThatKeepsTheMethod) {
   EXPECT_GT(remedy.same_method->duration, remedy.cheapest->duration);
 }
 
-// A plate below a sheet that diverges, at 2 kHz: 534 substeps resolve it, far fewer keep the sheet stable.
+// A plate below a sheet that diverges, at 500 Hz: 134 substeps resolve it, fewer keep the sheet stable.
 TEST(Remedy, ResolvesCollidersThatOscillate) {
   for (const char* method : {"velocity_verlet", "symplectic_euler", "explicit_euler", "implicit_midpoint"}) {
     Scene scene = scene_of(shaken_sheet(method[0] == 'i' ? 1e7 : 3e4, 0.02, 3), method, 2);
     scene.system.colliders.push_back(
-        {.shape = Plane{.point = {0.0, -20.0, 0.0}}, .path = {.amplitude = {0.0, 1e-3, 0.0}, .frequency = 2e3}});
+        {.shape = Plane{.point = {0.0, -20.0, 0.0}}, .path = {.amplitude = {0.0, 1e-3, 0.0}, .frequency = 500.0}});
     const auto expect_resolved = [&](const std::optional<TestedSetting>& tested) {
       if (!tested) return;
       Settings settings = scene.settings;
@@ -204,7 +204,7 @@ TEST(Remedy, ResolvesCollidersThatOscillate) {
       settings.substeps = tested->advice.substeps;
       EXPECT_FALSE(oscillation_warning(scene.system, settings)) << method << ": " << describe(tested->advice);
     };
-    const Remedy remedy = find_remedy(scene, 0.5, never);
+    const Remedy remedy = find_remedy(scene, 0.2, never);
     ASSERT_TRUE(remedy.cheapest || remedy.cause == Remedy::Cause::NotReproduced) << method;
     expect_resolved(remedy.cheapest);
     expect_resolved(remedy.same_method);

@@ -113,6 +113,22 @@ TEST(Banner, OffersToKeepTheMethod) {
   expect_to_run_through(gui, 2.0);
 }
 
+TEST(Banner, OffersToKeepTheMethodAtItsSpeedWhereThatIsTooSlowToBeTested) {
+  GuiFixture gui(unstable_springs());
+  run_until_it_stops(gui);
+  Remedy remedy{.cause = Remedy::Cause::StepTooLong, .cheapest = TestedSetting{{find_integrator("baraff_witkin"), 1}, 1.0, 0.5, {}}};
+  remedy.untested = TestedSetting{{find_integrator("velocity_verlet"), 2156}, 0.03, 50.0, {}};
+  for (int frame = 0; frame < 2; ++frame) {
+    ImGui::NewFrame();
+    PanelInput input = gui.app().panel_input({});
+    input.results.remedy.found = remedy;
+    Requests requests;
+    build_panels(input, gui.app().panels(), requests);
+    ImGui::Render();
+  }
+  EXPECT_NE(read_text(*ImGui::GetDrawData()).find("Keep the method, 2156 substeps (0.02\u00d7 real time)"), std::string::npos);
+}
+
 // Also one that is too narrow for the search of the fixture.
 glm::dvec2 find_small_button(GuiFixture& gui, const char* label) {
   const ImGuiWindow& window = *ImGui::FindWindowByName("stopped");

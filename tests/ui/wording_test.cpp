@@ -7,6 +7,7 @@
 #include "formats/scene_file.h"
 #include "support/document_fixture.h"
 #include "support/gui_fixture.h"
+#include "support/two_springs.h"
 #include "ui/text.h"
 
 namespace hooke {
@@ -124,6 +125,34 @@ TEST(Wording, OfNamesKeepsEmojiInTextFields) {
   }
   EXPECT_EQ(name, "a \U0001F388 2 \U0001F389.json");
   EXPECT_EQ(pasted, "a \ufffd");
+}
+
+// A method with the error of the reference has no place on a logarithmic axis, but is no failure.
+TEST(Wording, OfMethodsThatAreNotInTheChart) {
+  GuiFixture gui(two_springs());
+  MethodComparison compared;
+  for (const Integrator& method : integrators())
+    if (method.id != "explicit_euler")
+      compared.record.rows.push_back({.method = std::string(method.id),
+                                      .setting = "960 steps/s",
+                                      .step = 1.0 / 960.0,
+                                      .error = method.id == "dop853" ? 0.0 : 1e-3,
+                                      .relative_error = 1e-3,
+                                      .cpu_ms_per_s = 1.0,
+                                      .status = "ok"});
+  gui.app().panels().shown.comparison = true;
+  for (int frame = 0; frame < 2; ++frame) {
+    ImGui::NewFrame();
+    PanelInput input = gui.app().panel_input({});
+    input.results.comparison.result = std::make_shared<const MethodComparison>(compared);
+    Requests requests;
+    build_panels(input, gui.app().panels(), requests);
+    ImGui::Render();
+  }
+  std::string text = read_text(*ImGui::GetDrawData());
+  std::ranges::replace(text, '\n', ' ');
+  EXPECT_NE(text.find("The same as the reference: Dormand-Prince 8(5,3)"), std::string::npos) << text;
+  EXPECT_NE(text.find("unstable here: Explicit Euler"), std::string::npos) << text;
 }
 
 }  // namespace

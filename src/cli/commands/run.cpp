@@ -18,6 +18,7 @@
 #include "lab/lab.h"
 #include "sim/control/automatic.h"
 #include "sim/methods/integrator.h"
+#include "study/cost_advice.h"
 
 namespace hooke {
 namespace {
@@ -110,7 +111,7 @@ int run(const RunOptions& options) {
   if (!options.scene->quiet) print_device(lab.plan().execution);
   const Scene& scene = lab.scene();
   RunRequest request{.seconds = options.seconds, .sample = options.output.sample};
-  count_frames(request.seconds, scene.settings.frame_rate);
+  const long frames = count_frames(request.seconds, scene.settings.frame_rate);
   const auto points = parse_points(options.output.points, scene.system.point_count());
 
   // open the files first, so that an invalid path is reported before the work
@@ -119,7 +120,7 @@ int run(const RunOptions& options) {
   request.accuracy = options.output.accuracy.value_or(default_accuracy(options, output));
   RunHooks hooks = output.hooks();
   std::optional<ProgressBar> progress;
-  progress.emplace(count_frames(request.seconds, scene.settings.frame_rate), !options.scene->quiet);
+  progress.emplace(frames, !options.scene->quiet);
   hooks.progress = [&](long done, long) { progress->show(done); };
   std::optional<ErrorLimit> limit;
   if (options.fail_above) {
@@ -135,8 +136,13 @@ int run(const RunOptions& options) {
   progress.reset();
 
   finish(options, scene, output, results.totals, lab.accuracy());
-  if (!options.scene->quiet)
+  if (!options.scene->quiet) {
     for (const std::string& warning : results.warnings) std::cerr << "warning: " << warning << "\n";
+    // opened again, because a copy of a large scene is not kept during the run
+    if (!results.totals.diverged && !results.totals.interrupted && tolerance_to_try(lab.accuracy(), scene.settings))
+      if (const auto advice = advise_on_tolerance(load_with_options(*options.scene).scene, frames, lab.accuracy()))
+        std::cerr << *advice << "\n";
+  }
   const RunFiles& files = options.output.files;
   if (results.totals.interrupted) return report_interrupted("results", {files.json, files.csv, files.pc2}, scene.state.time);
   if (limit && !limit->message().empty()) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "base/round_number.h"
 #include "lab/accuracy/judgement.h"
 #include "sim/control/automatic.h"
 
@@ -29,25 +30,13 @@ std::string meaning_of_averages(const Accuracy& accuracy) {
          number_text(100.0 * std::abs(accuracy.energy.method()) / accuracy.energy.scale, 2) + " % of the energy supplied";
 }
 
-// A tolerance with which the error would be about a hundredth of the motion: one digit, within the range of the slider. None helps much
-// where small differences grow, or where the error hardly falls with the step; with contact or a hand, what half the error takes.
-std::string remedy_of(const Accuracy& accuracy, const Settings& settings) {
-  if (accuracy.growth_rate.value.value_or(0.0) > 0.0) return "small differences grow, so that " + meaning_of_averages(accuracy);
+// Why no setting helps, after `joint`; empty where a tolerance may.
+std::string obstacle(const Accuracy& accuracy, const std::string& joint = ": ") {
+  if (accuracy.growth_rate.value.value_or(0.0) > 0.0) return joint + "small differences grow, so that " + meaning_of_averages(accuracy);
   if (accuracy.half_error.reason == half_step_does_not_help)
-    return std::string(half_step_does_not_help) + ", so that " + meaning_of_averages(accuracy);
-  if (!accuracy.is_smooth) {
-    const std::string cost = cost_text(accuracy);
-    return !cost.empty() ? cost : "no setting with a smaller error is known, because of contact, a strain limit or the hand";
-  }
-  constexpr double aimed_at = 0.01, min = 1e-10, max = 0.1;
-  const double seconds = accuracy.accumulated_time - accuracy.since;
-  double tolerance = aimed_at * std::min(accuracy.motion, accuracy.size) / std::max(seconds, 1e-3);
-  if (is_automatic(settings)) tolerance = std::min(tolerance, 0.1 * automatic_tolerance(settings));
-  tolerance = std::clamp(tolerance, min, max);
-  const double unit = std::pow(10.0, std::floor(std::log10(tolerance)));
-  const std::string text = "a tolerance of " + quantity_text(unit * std::floor(tolerance / unit * (1.0 + 1e-9)), "m/s", 1) +
-                           " may be enough, which is not tested";
-  return is_automatic(settings) ? text : "auto with " + text;
+    return joint + std::string(half_step_does_not_help) + ", so that " + meaning_of_averages(accuracy);
+  if (!accuracy.is_smooth) return joint + "no setting with a smaller error is known, because of contact, a strain limit or the hand";
+  return {};
 }
 
 }  // namespace
@@ -73,14 +62,6 @@ std::string predictability_text(const Accuracy& accuracy) {
   if (!std::isfinite(*accuracy.predictable.value)) return "predictable: small differences do not grow exponentially";
   if (*accuracy.predictable.value < min_predictable) return "chaotic: " + meaning_of_averages(accuracy);
   return "predictable for about " + number_text(*accuracy.predictable.value, 2) + " s more";
-}
-
-std::string cost_text(const Accuracy& accuracy) {
-  if (!accuracy.is_on || accuracy.half_error.substeps == 0) return {};
-  const std::string time = number_text(accuracy.half_error.cost, 2) + "\u00d7 the time, which is not tested";
-  if (accuracy.half_error.tolerance > 0.0)
-    return "half the error: tolerance " + quantity_text(accuracy.half_error.tolerance, "m", 1) + ", " + time;
-  return "half the error: " + std::to_string(accuracy.half_error.substeps) + " substeps, " + time;
 }
 
 std::string accuracy_line(const Accuracy& accuracy) { return accuracy_lines(accuracy).front(); }
@@ -116,7 +97,16 @@ std::vector<std::string> accuracy_lines(const Accuracy& accuracy) {
   return lines;
 }
 
-std::optional<std::string> accumulated_warning(const Accuracy& accuracy, const Settings& settings) {
+std::optional<double> tolerance_to_try(const Accuracy& accuracy, const Settings& settings) {
+  if (!accumulated_warning(accuracy) || accuracy.loss == Loss::Unpredictable || !obstacle(accuracy).empty()) return std::nullopt;
+  constexpr double aimed_at = 0.01, min = 1e-10, max = 0.1;
+  const double seconds = accuracy.accumulated_time - accuracy.since;
+  double tolerance = aimed_at * std::min(accuracy.motion, accuracy.size) / std::max(seconds, 1e-3);
+  if (is_automatic(settings)) tolerance = std::min(tolerance, 0.1 * automatic_tolerance(settings));
+  return round_below(std::clamp(tolerance, min, max) * (1.0 + 1e-9));
+}
+
+std::optional<std::string> accumulated_warning(const Accuracy& accuracy) {
   switch (accuracy.loss) {
     case Loss::None:
       break;
@@ -125,21 +115,20 @@ std::optional<std::string> accumulated_warning(const Accuracy& accuracy, const S
     case Loss::Dissipated:
     case Loss::HalfStepDiverged:
     case Loss::Unresolved:
-      return "accumulated error not known: " + std::string(accuracy.accumulated.reason) + "; " + remedy_of(accuracy, settings);
+      return "accumulated error not known: " + std::string(accuracy.accumulated.reason) + obstacle(accuracy, "; ");
     case Loss::NoSecondRun:
       return "accumulated error not known from " + quantity_text(accuracy.accumulated_time, "s") +
-             " on: " + std::string(accuracy.accumulated.reason) + "; " +
-             (is_large_error(accuracy, accuracy.max_accumulated.error) ? largest_error_text(accuracy) + ": " : std::string()) +
-             remedy_of(accuracy, settings);
+             " on: " + std::string(accuracy.accumulated.reason) +
+             (is_large_error(accuracy, accuracy.max_accumulated.error) ? "; " + largest_error_text(accuracy) : std::string()) +
+             obstacle(accuracy, "; ");
   }
   if (!accuracy.accumulated.value) return std::nullopt;
   const double error = *accuracy.accumulated.value;
   if (is_large_error(accuracy, error))
-    return "accumulated error of about " + length_text(error) + ", " + part_of_motion_text(error / accuracy.motion) + ": " +
-           remedy_of(accuracy, settings);
+    return "accumulated error of about " + length_text(error) + ", " + part_of_motion_text(error / accuracy.motion) + obstacle(accuracy);
   if (!is_large_error(accuracy, accuracy.max_accumulated.error)) return std::nullopt;
   return "accumulated " + largest_error_text(accuracy) + " (" + length_text(error) + " at " +
-         quantity_text(accuracy.accumulated_time, "s") + "): " + remedy_of(accuracy, settings);
+         quantity_text(accuracy.accumulated_time, "s") + ")" + obstacle(accuracy);
 }
 
 }  // namespace hooke

@@ -21,16 +21,17 @@ std::string length_text(double length);
 std::string error_text(const Measured& error, double size);
 // "predictable", "predictable for about 3 s more", "chaotic: only averages are meaningful", or the reason why it is not known.
 std::string predictability_text(const Accuracy& accuracy);
-// "half the error: 57 substeps, 1.4× the time, which is not tested": it follows from the order. Empty if nothing is measured.
-std::string cost_text(const Accuracy& accuracy);
 
 // One line: "error 21 um/frame, 0.3 mm in total, predictable"
 std::string accuracy_line(const Accuracy& accuracy);
 // The same, followed by shorter lines for less space: without the predictability, and without the total.
 std::vector<std::string> accuracy_lines(const Accuracy& accuracy);
 
-// A warning with its remedy, in one clause: the accumulated error is large in comparison with the motion, or is not known because the run
-// lost the motion. None where it is small, or not measured.
-std::optional<std::string> accumulated_warning(const Accuracy& accuracy, const Settings& settings);
+// A warning in one clause: the accumulated error is large in comparison with the motion, or is not known because the run lost the motion;
+// and why no setting helps, if so. None where it is small, or not measured.
+std::optional<std::string> accumulated_warning(const Accuracy& accuracy);
+// [m/s], of one digit, within the range of the slider: with it the error that is warned about may be a hundredth of the motion. None
+// without a warning, and where no tolerance helps.
+std::optional<double> tolerance_to_try(const Accuracy& accuracy, const Settings& settings);
 
 }  // namespace hooke

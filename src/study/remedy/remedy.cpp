@@ -31,17 +31,11 @@ bool has_no_longest_step(const Integrator& method) {
 struct Trial {
   enum class End { Finished, Diverged, OutOfBudget };
   End end = End::Finished;
-  double seconds = 0.0;                    // [s], simulated
-  std::vector<std::string> step_warnings;  // before the run
-  std::vector<std::string> warnings;       // of the run monitor
-  double work = 0.0;                       // [ns]
-  bool gains = false;                      // more energy than was supplied
-  bool has_warnings() const { return !step_warnings.empty() || !warnings.empty(); }
-  std::vector<std::string> all_warnings() const {
-    std::vector<std::string> all = step_warnings;
-    all.insert(all.end(), warnings.begin(), warnings.end());
-    return all;
-  }
+  double seconds = 0.0;               // [s], simulated in whole frames
+  std::vector<std::string> warnings;  // before the run, and of the run monitor
+  bool went_wrong = false;            // the latter has some
+  double work = 0.0, duration = 0.0;  // [ns]; [s], that a simulated second takes
+  bool gains = false;                 // more energy than was supplied
 };
 
 struct BudgetIsSpent {};
@@ -52,26 +46,36 @@ constexpr double max_energy_rise = 1.0;
 // Of the work of a search: to repeat the divergence and to find its cause.
 constexpr double share_of_diagnosis = 0.25;
 
-// Of the second search, relative to the first, and the part of it that a setting may take.
-constexpr double more_work = 8.0, max_share = 1.0 / 8.0;
+// A test must come as far as `seconds` [s], and is given up as soon as it is clear that it will not. From there on it may take `work` [ns].
+struct Goal {
+  double seconds = 0.0, work = std::numeric_limits<double>::infinity();
+};
+
+// Of the work of a search: what a test that has reached its goal may take, and after which part of its work another one is judged.
+constexpr double max_share = 1.0 / 8.0, judged_after = 1.0 / 64.0;
 
 // Frame by frame, with the warnings and the monitor of `hooke run`.
-Trial run_copy(Scene scene, double seconds, Budget& budget) {
-  const double start = scene.state.time, given = budget.left;
+Trial run_copy(Scene scene, double seconds, Budget& budget, const Goal& goal = {}) {
+  const double start = scene.state.time, given = budget.left, frame_duration = 1.0 / scene.settings.frame_rate;
+  const double substeps = scene.settings.integrator->stability == Stability::Adaptive ? HUGE_VAL : scene.settings.substeps;
   const long frames = std::lround(std::ceil(seconds * scene.settings.frame_rate * (1.0 - 1e-9)));
   Trial trial;
-  trial.step_warnings = settings_warnings(scene.system, scene.state, scene.settings);
+  trial.warnings = settings_warnings(scene.system, scene.state, scene.settings);
   Lab lab(std::move(scene), KeepStart::No);
   TrialWork work(lab.plan());
   lab.watch_substeps([&] {
     budget.left -= work.since_last(lab.last_frame(), false);
-    if (budget.is_spent()) throw BudgetIsSpent{};
+    const double done = lab.scene().state.time - start + frame_duration * lab.last_frame().substeps_done() / substeps;
+    const double used = given - budget.left;
+    if (done > 0.0) trial.duration = 1e-9 * used / done;
+    const bool is_too_slow = std::isfinite(substeps) && used > judged_after * given && used * goal.seconds > given * done;
+    if (budget.is_spent() || (done >= goal.seconds ? used > goal.work : is_too_slow)) throw BudgetIsSpent{};
   });
   RunMonitor monitor(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state, 0);
   const auto ended = [&](Trial::End end) {
     trial.end = end;
     trial.seconds = end == Trial::End::Finished ? seconds : lab.scene().state.time - start;
-    trial.warnings = monitor.warnings({});
+    for (std::string& warning : monitor.warnings({})) trial.went_wrong = true, trial.warnings.push_back(std::move(warning));
     trial.work = given - budget.left;
     trial.gains = !(monitor.energy_rise() <= max_energy_rise);
     return trial;
@@ -182,6 +186,7 @@ std::vector<const Integrator*> methods_to_try(const Settings& settings, const St
 std::optional<RecentChange> find_change(const Scene& from, const std::vector<RecentChange>& changes, double seconds,
                                         const std::atomic<bool>& stop, const RemedyProgress& progress) {
   constexpr std::size_t max_tested = 4;
+  Budget budget{share_of_diagnosis * default_remedy_work, stop};
   for (std::size_t i = 0; i < std::min(changes.size(), max_tested) && !stop; ++i) {
     if (progress) progress("Testing the scene without \"" + changes[i].text + "\"");
     Scene scene = from;
@@ -189,7 +194,6 @@ std::optional<RecentChange> find_change(const Scene& from, const std::vector<Rec
       Effect effect;
       apply(scene, command, effect);
     }
-    Budget budget{0.25 * default_remedy_work, stop};
     if (run_copy(std::move(scene), seconds, budget).end == Trial::End::Finished) return changes[i];
   }
   return std::nullopt;
@@ -198,14 +202,8 @@ std::optional<RecentChange> find_change(const Scene& from, const std::vector<Rec
 // Tests settings on copies, and keeps the best of each method.
 class SettingSearch {
  public:
-  SettingSearch(const Scene& start, double seconds, double diverged_after, double max_work, bool any, Budget budget, Remedy& remedy)
-      : start_(start),
-        seconds_(seconds),
-        diverged_after_(diverged_after),
-        max_work_(max_work),
-        any_(any),
-        budget_(budget),
-        remedy_(remedy) {}
+  SettingSearch(const Scene& start, double seconds, double diverged_after, double max_work, Budget budget, Remedy& remedy)
+      : start_(start), seconds_(seconds), diverged_after_(diverged_after), max_work_(max_work), budget_(budget), remedy_(remedy) {}
 
   void try_method(const Integrator& method, const StepLimits& limits, const RemedyProgress& progress) {
     const std::vector<Advice> settings = settings_of(method, start_, limits);
@@ -219,13 +217,13 @@ class SettingSearch {
       }
       if (progress) progress("Testing " + describe(settings[i]));
       // no setting takes more than half of the rest, nor, except to keep the method, more than the cheapest that was found
-      const double half = std::min(0.5 * budget_.left, max_work_), allowed = is_present ? half : std::min(half, cheapest_work_);
+      const double half = 0.5 * budget_.left, allowed = is_present ? half : std::min(half, cheapest_work_);
       const Trial trial = run(settings[i], allowed);
       // with more substeps, what would do but for the energy that it gains may do; all else would take longer still
       const bool is_cut_short = trial.end == Trial::End::OutOfBudget && !(trial.gains && trial.seconds >= 2.0 * diverged_after_);
       if (keep(settings[i], trial, is_present) || is_cut_short) needs_no_more = true;
       if (!is_cut_short) continue;
-      if (is_present && trial.seconds > 0.0) remedy_.untested = {settings[i], trial.seconds, 1e-9 * trial.work / trial.seconds, {}};
+      if (is_present && trial.duration > 0.0) remedy_.untested = {settings[i], trial.seconds, trial.duration, {}};
       if (allowed < half) continue;
       ++remedy_.settings_cut_short;
       for (std::size_t more = i + 1; more < settings.size(); ++more)
@@ -234,10 +232,13 @@ class SettingSearch {
   }
 
   void finish() {
-    for (auto& one : cheapest_)
-      if (one && !remedy_.cheapest) remedy_.cheapest = std::move(one);
-    for (auto& one : same_method_)
-      if (one && !remedy_.same_method) remedy_.same_method = std::move(one);
+    for (const auto& one : cheapest_)
+      if (one && !remedy_.cheapest) remedy_.cheapest = one;
+    // the test counts more than a warning that is given before it, where the choice is otherwise slower than real time
+    for (const Rank rank : {StepWarning, PartlyStepWarning})
+      if (const auto& one = cheapest_[rank]; one && remedy_.cheapest->duration > std::max(1.0, one->duration)) remedy_.cheapest = one;
+    for (const auto& one : same_method_)
+      if (one && !remedy_.same_method) remedy_.same_method = one;
     if (remedy_.same_method) remedy_.untested.reset();
     if (remedy_.same_method && remedy_.cheapest->advice == remedy_.same_method->advice) remedy_.same_method.reset();
   }
@@ -253,7 +254,7 @@ class SettingSearch {
     scene.settings.substeps = advice.substeps;
     if (advice.integrator->stability != Stability::Adaptive) scene.settings.tolerance.reset();
     Budget budget{allowed, budget_.stop};
-    Trial trial = run_copy(std::move(scene), seconds_, budget);
+    Trial trial = run_copy(std::move(scene), seconds_, budget, {2.0 * diverged_after_, max_work_});
     budget_.left -= allowed - std::max(0.0, budget.left);
     ++remedy_.settings_tried;
     return trial;
@@ -264,57 +265,25 @@ class SettingSearch {
     const bool is_finished = trial.end == Trial::End::Finished;
     const bool is_tested = is_finished || (trial.end == Trial::End::OutOfBudget && trial.seconds >= 2.0 * diverged_after_);
     if (!is_tested || trial.gains) return false;
-    const Rank rank = !trial.has_warnings()     ? (is_finished ? Tested : PartlyTested)
-                      : !trial.warnings.empty() ? OtherWarning
-                      : is_finished             ? StepWarning
-                                                : PartlyStepWarning;
-    const TestedSetting setting{.advice = advice,
-                                .seconds = trial.seconds,
-                                .duration = trial.seconds > 0.0 ? 1e-9 * trial.work / trial.seconds : 0.0,
-                                .warnings = trial.all_warnings()};
+    const Rank rank = trial.went_wrong         ? OtherWarning
+                      : trial.warnings.empty() ? (is_finished ? Tested : PartlyTested)
+                                               : (is_finished ? StepWarning : PartlyStepWarning);
+    const TestedSetting setting{.advice = advice, .seconds = trial.seconds, .duration = trial.duration, .warnings = trial.warnings};
     auto& best = cheapest_[rank];
     if (!best || setting.duration < best->duration) best = setting;
     if (is_present && !same_method_[rank]) same_method_[rank] = setting;
     if (rank == Tested) cheapest_work_ = std::min(cheapest_work_, trial.work);
-    if (rank == PartlyTested && any_) cheapest_work_ = std::min(cheapest_work_, 2e9 * diverged_after_ * setting.duration);
+    if (rank == PartlyTested) cheapest_work_ = std::min(cheapest_work_, 2e9 * diverged_after_ * setting.duration);
     return rank == Tested;
   }
 
   const Scene& start_;
   const double seconds_, diverged_after_, max_work_;
-  const bool any_;
   Budget budget_;
   Remedy& remedy_;
   double cheapest_work_ = std::numeric_limits<double>::infinity();  // [ns], of a test without warnings
   std::optional<TestedSetting> cheapest_[Ranks], same_method_[Ranks];
 };
-
-// `any`: each setting with a share of the work.
-Remedy search(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, bool any,
-              const RemedyProgress& progress) {
-  const auto report = [&](const std::string& test) {
-    if (progress) progress(test);
-  };
-  Remedy remedy;
-  Budget diagnosis{share_of_diagnosis * max_work, stop};
-  report("Repeating the run");
-  const Trial original = run_copy(start, seconds, diagnosis);
-  if (original.end == Trial::End::OutOfBudget) {
-    remedy.cause = Remedy::Cause::SearchLimit;
-    remedy.reached = start.state.time + original.seconds;
-  }
-  if (original.end != Trial::End::Diverged) return remedy;
-  const double frame = 1.0 / start.settings.frame_rate, diverged_after = original.seconds + frame;
-  report("Looking for the cause");
-  remedy.cause = find_cause(start, diverged_after, diagnosis);
-
-  const Budget left{max_work - (share_of_diagnosis * max_work - std::max(0.0, diagnosis.left)), stop};
-  const StepLimits limits(bound_spectrum(start.system), step_needs(start.system, start.state));
-  SettingSearch tested(start, seconds, diverged_after, any ? max_share * max_work : max_work, any, left, remedy);
-  for (const Integrator* method : methods_to_try(start.settings, limits)) tested.try_method(*method, limits, progress);
-  tested.finish();
-  return remedy;
-}
 
 }  // namespace
 
@@ -340,45 +309,54 @@ bool may_reach(double frames, double points, double springs) {
 }
 
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, const RemedyProgress& progress) {
-  Remedy remedy = search(start, seconds, stop, max_work, false, progress);
-  const bool is_cut_short = remedy.cause == Remedy::Cause::SearchLimit || remedy.settings_cut_short > 0;
-  const bool is_fast = remedy.cheapest && remedy.cheapest->duration <= 1.0;
-  if (is_fast || !is_cut_short || stop) return remedy;
-  Remedy found = search(start, seconds, stop, more_work * max_work, true, progress);
-  if (remedy.cheapest && !found.cheapest) return remedy;
-  if (!found.same_method && !found.untested) {
-    found.same_method = remedy.same_method;
-    found.untested = remedy.untested;
+  const auto report = [&](const std::string& test) {
+    if (progress) progress(test);
+  };
+  Remedy remedy;
+  Budget diagnosis{share_of_diagnosis * max_work, stop};
+  report("Repeating the run");
+  const Trial original = run_copy(start, seconds, diagnosis);
+  if (original.end == Trial::End::OutOfBudget) {
+    remedy.cause = Remedy::Cause::SearchLimit;
+    remedy.reached = start.state.time + original.seconds;
   }
-  return found;
+  if (original.end != Trial::End::Diverged) return remedy;
+  const double frame = 1.0 / start.settings.frame_rate, diverged_after = original.seconds + frame;
+  report("Looking for the cause");
+  remedy.cause = find_cause(start, diverged_after, diagnosis);
+
+  const Budget left{max_work - (share_of_diagnosis * max_work - std::max(0.0, diagnosis.left)), stop};
+  const StepLimits limits(bound_spectrum(start.system), step_needs(start.system, start.state));
+  SettingSearch tested(start, seconds, diverged_after, max_share * max_work, left, remedy);
+  for (const Integrator* method : methods_to_try(start.settings, limits)) tested.try_method(*method, limits, progress);
+  tested.finish();
+  return remedy;
 }
 
 Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const RemedyProgress& report) {
-  const auto search_from = [&](Scene scene) {
-    scene.settings = run.settings;
-    const double seconds_to_failure = std::max(0.0, run.time - scene.state.time);
-    return find_remedy(scene, 2.0 * seconds_to_failure + 1.0, stop, default_remedy_work, report);
-  };
-  // with the present settings in every copy
   Scene from = *run.start;
+  const auto seconds = [&] { return 2.0 * std::max(0.0, run.time - from.state.time) + 1.0; };
+  // with the present settings in every copy
+  const auto search = [&] {
+    from.settings = run.settings;
+    return find_remedy(from, seconds(), stop, default_remedy_work, report);
+  };
   Remedy remedy;
   const bool has_state_between = run.before && run.before->time > run.start->state.time;
   if (has_state_between) {
     from.system = *run.system;
     from.state = *run.before;
-    remedy = search_from(from);
+    remedy = search();
     remedy.from = run.before->time;
   }
   if (remedy.cause == Remedy::Cause::NotReproduced && !stop) {
     from = *run.start;
-    remedy = search_from(from);
+    remedy = search();
     // which states were tried
     if (remedy.cause == Remedy::Cause::NotReproduced && has_state_between) remedy.from = run.before->time;
   }
   if (remedy.cause == Remedy::Cause::NotReproduced || remedy.cause == Remedy::Cause::SearchLimit) return remedy;
-  from.settings = run.settings;
-  const double seconds = 2.0 * std::max(0.0, run.time - from.state.time) + 1.0;
-  remedy.change = find_change(from, run.changes, seconds, stop, report);
+  remedy.change = find_change(from, run.changes, seconds(), stop, report);
   return remedy;
 }
 

@@ -64,7 +64,7 @@ class TrialWork {
 };
 
 // [ns], a limit on the work of all copies of one search, by a fixed model of what it takes: the same on every machine, of which the default
-// takes a second or two. Where that is too little to find what runs in real time, a second search takes eight times as much.
+// takes a second or two.
 inline constexpr double default_remedy_work = 1.5e9;
 
 // Whether a search for a remedy may reach a divergence that is so many frames after its start. A bound: for a scene that is too large for
@@ -87,8 +87,8 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
 // to two searches, and one to find the edit that the divergence is due to, if it is due to one.
 Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const RemedyProgress& report = {});
 
-// "0.59\u00d7 real time"; empty for settings that are faster than that.
-std::string speed_text(const TestedSetting& setting);
+// "0.59\u00d7 real time" between these; empty for settings that are faster than that.
+std::string speed_text(const TestedSetting& setting, const char* before = "", const char* after = "");
 
 // What to do, as a sentence: "Use Velocity Verlet with 80 substeps per frame, which does not diverge (tested for 2 s): ...".
 std::string describe(const Remedy& remedy, const Settings& settings);

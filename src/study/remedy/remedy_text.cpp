@@ -18,11 +18,6 @@ std::string exceptions(const std::vector<std::string>& warnings) {
   return (warnings.size() == 1 ? ", but there is a warning: " : ", but there are warnings: ") + text;
 }
 
-std::string duration_text(const TestedSetting& setting) {
-  const std::string speed = speed_text(setting);
-  return speed.empty() ? "" : "; about " + speed;
-}
-
 // By Remedy::Cause: a clause, and what to change where no other setting helps.
 constexpr const char* any_change = "Use softer springs, larger masses or slower motion: ";
 constexpr std::array<std::array<const char*, 2>, 8> causes{{
@@ -61,8 +56,8 @@ std::string without_remedy(const Remedy& remedy, const Settings& settings) {
 
 }  // namespace
 
-std::string speed_text(const TestedSetting& setting) {
-  return setting.duration > 1.0 ? number_text(1.0 / setting.duration, 2) + "\u00d7 real time" : "";
+std::string speed_text(const TestedSetting& setting, const char* before, const char* after) {
+  return setting.duration > 1.0 ? before + number_text(1.0 / setting.duration, 2) + "\u00d7 real time" + after : "";
 }
 
 std::string describe(const Remedy& remedy, const Settings& settings) {
@@ -71,9 +66,10 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
   const TestedSetting& best = *remedy.cheapest;
   std::string text = (remedy.change ? "Undo " + remedy.change->text + ", without which it does not diverge, or use " : "Use ") +
                      describe(best.advice) + ", which does not diverge (tested for " + seconds_text(best.seconds) +
-                     (remedy.from ? " from t = " + seconds_text(*remedy.from) : "") + duration_text(best) + ")" + exceptions(best.warnings);
+                     (remedy.from ? " from t = " + seconds_text(*remedy.from) : "") + speed_text(best, "; about ") + ")" +
+                     exceptions(best.warnings);
   if (const auto& same = remedy.same_method)
-    text += ", or " + describe(same->advice) + " (tested for " + seconds_text(same->seconds) + duration_text(*same) + ")" +
+    text += ", or " + describe(same->advice) + " (tested for " + seconds_text(same->seconds) + speed_text(*same, "; about ") + ")" +
             exceptions(same->warnings);
   else if (const auto& slow = remedy.untested)
     text += " (" + describe(slow->advice) + ", at " + speed_text(*slow) + ", takes too long to be tested)";

@@ -213,13 +213,17 @@ void legend(const ProblemRecord& record) {
 
 // Methods of which nothing is in the chart.
 void missing_methods(const ProblemRecord& record) {
-  std::string names;
-  for (const Integrator& method : integrators())
-    if (std::ranges::none_of(record.rows, [&](const Row& row) { return row.method == method.id && is_drawn(row); }))
-      names += (names.empty() ? "" : ", ") + method.short_name();
-  if (names.empty()) return;
+  std::string exact, failed;
+  for (const Integrator& method : integrators()) {
+    bool is_exact = false, is_in_chart = false;
+    for (const Row& row : record.rows)
+      if (row.method == method.id) is_in_chart |= is_drawn(row), is_exact |= row.error == 0.0;
+    std::string& names = is_exact ? exact : failed;
+    if (!is_in_chart) names += (names.empty() ? "" : ", ") + method.short_name();
+  }
   ImGui::PushFont(fonts().small);
-  paragraph("Too slow or unstable here: " + names, palette::dim);
+  if (!exact.empty()) paragraph("The same as the reference: " + exact, palette::dim);
+  if (!failed.empty()) paragraph("Too slow or unstable here: " + failed, palette::dim);
   ImGui::PopFont();
 }
 

@@ -188,9 +188,7 @@ std::string remedy_label(const Remedy& remedy, const Settings& settings) {
   const Advice& advice = remedy.cheapest->advice;
   std::string text = remedy.from ? "Continue from t = " + quantity_text(*remedy.from, "s") + " with " : "Start over with ";
   if (advice.integrator != settings.integrator) text.append(advice.integrator->label).append(" and ");
-  text.append(count(advice.substeps, "substep"));
-  const std::string speed = speed_text(*remedy.cheapest);
-  return speed.empty() ? text : text + " (" + speed + ")";
+  return text + count(advice.substeps, "substep") + speed_text(*remedy.cheapest, " (", ")");
 }
 
 // Runs from the state that the remedy was tested from.
@@ -224,18 +222,16 @@ std::vector<WayOut> ways_out(const PanelInput& input) {
   std::vector<WayOut> ways;
   if (const auto& found = input.results.remedy.found) {
     const Remedy& remedy = *found;
-    const auto add_setting = [&](const std::string& label, const TestedSetting& setting) {
-      ways.push_back({label, "Uses the tested setting and continues the run" + lines_of(setting.warnings), [&](Requests& requests) {
+    const auto add_setting = [&](const std::string& label, const TestedSetting& setting, const char* kind) {
+      ways.push_back({label, std::string("Uses ") + kind + " and continues the run" + lines_of(setting.warnings), [&](Requests& requests) {
                         take(setting.advice, settings, requests);
                         run_from(remedy, requests);
                       }});
     };
-    if (remedy.cheapest) add_setting(remedy_label(remedy, settings) + "###remedy", *remedy.cheapest);
-    if (const auto& same = remedy.same_method) {
-      const std::string speed = speed_text(*same);
-      add_setting("Keep the method, " + count(same->advice.substeps, "substep") + (speed.empty() ? "" : " (" + speed + ")") + "###same",
-                  *same);
-    }
+    if (remedy.cheapest) add_setting(remedy_label(remedy, settings) + "###remedy", *remedy.cheapest, "the tested setting");
+    if (const auto& same = remedy.same_method ? remedy.same_method : remedy.untested; same && remedy.cheapest)
+      add_setting("Keep the method, " + count(same->advice.substeps, "substep") + speed_text(*same, " (", ")") + "###same", *same,
+                  remedy.same_method ? "the tested setting" : "a setting that takes too long to be tested");
     if (remedy.change)
       ways.push_back(
           {"Restore the previous value###restore", "Undoes " + remedy.change->text + " and continues the run", [&](Requests& requests) {
