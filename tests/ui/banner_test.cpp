@@ -1,6 +1,8 @@
 // The banner that explains why a run stopped, and its remedy.
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include <chrono>
 #include <thread>
 
@@ -116,12 +118,14 @@ TEST(Banner, OffersToKeepTheMethod) {
 TEST(Banner, OffersToKeepTheMethodAtItsSpeedWhereThatIsTooSlowToBeTested) {
   GuiFixture gui(unstable_springs());
   run_until_it_stops(gui);
-  Remedy remedy{.cause = Remedy::Cause::StepTooLong, .cheapest = TestedSetting{{find_integrator("baraff_witkin"), 1}, 1.0, 0.5, {}}};
-  remedy.untested = TestedSetting{{find_integrator("velocity_verlet"), 2156}, 0.03, 50.0, {}};
+  const auto remedy = std::make_unique<Remedy>();
+  remedy->cause = Remedy::Cause::StepTooLong;
+  remedy->cheapest = TestedSetting{{find_integrator("baraff_witkin"), 1}, 1.0, 0.5, {}};
+  remedy->untested = TestedSetting{{find_integrator("velocity_verlet"), 2156}, 0.03, 50.0, {}};
   for (int frame = 0; frame < 2; ++frame) {
     ImGui::NewFrame();
     PanelInput input = gui.app().panel_input({});
-    input.results.remedy.found = remedy;
+    input.results.remedy.found = *remedy;
     Requests requests;
     build_panels(input, gui.app().panels(), requests);
     ImGui::Render();
