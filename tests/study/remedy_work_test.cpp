@@ -27,6 +27,7 @@ TEST(Remedy, SpendsLittleOnSettingsThatAreTooSlowToBeTested) {
   const std::string description = describe(remedy, scene.settings);
   ASSERT_TRUE(remedy.cheapest) << description;
   EXPECT_LT(remedy.cheapest->duration, 1.0) << description;
+  EXPECT_FALSE(remedy.cheapest->advice.integrator->iterates()) << description;
   ASSERT_TRUE(remedy.untested) << description;
   EXPECT_EQ(remedy.untested->advice.integrator, scene.settings.integrator) << description;
   EXPECT_GT(remedy.untested->duration, 1.0) << description;

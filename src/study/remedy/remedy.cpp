@@ -167,10 +167,12 @@ std::vector<Advice> settings_of(const Integrator& method, const Scene& start, co
 }
 
 // The methods to try: the present one, those that are stable at any step without a nonlinear solve, which prove the others too expensive
-// soon, the default one, and those that choose their steps last; but first where no number of substeps resolves a passage.
+// soon, the default one, and those that choose their steps last; but first where no number of substeps resolves a passage. A fixed number
+// of iterations may leave stiff springs all but rigid: such a run is stable, and hardly moves.
 std::vector<const Integrator*> methods_to_try(const Settings& settings, const StepLimits& limits) {
   std::vector<const Integrator*> methods;
-  for (const Integrator& method : integrators()) methods.push_back(&method);
+  for (const Integrator& method : integrators())
+    if (!method.iterates() || &method == settings.integrator) methods.push_back(&method);
   const bool is_for_adaptive = !limits.resolving_substeps(default_integrator(), settings.frame_rate);
   const auto rank = [&](const Integrator* method) {
     if (method->stability == Stability::Adaptive) return is_for_adaptive ? 0 : 6;
