@@ -1,9 +1,8 @@
 // The banner that explains why a run stopped, and its remedy.
 #include <gtest/gtest.h>
 
-#include <memory>
-
 #include <chrono>
+#include <memory>
 #include <thread>
 
 #include "sim/methods/integrator.h"
