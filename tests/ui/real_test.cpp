@@ -71,9 +71,7 @@ TEST(StretchOfSprings, IsExplainedBelowTheirProperties) {
 }
 
 TEST(Lesson, ChecksOffEachStepWhenItIsDoneAndNotBefore) {
-  Scene scene = load_scene(find_scene("how_wrong")).scene;
-  scene.settings.speed = 10.0;
-  GuiFixture gui(scene);
+  GuiFixture gui(load_scene(find_scene("how_wrong")).scene);
   const auto done = [&] {
     gui.frames(2);
     return gui.app().panels().side.lesson_steps_done;
