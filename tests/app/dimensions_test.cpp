@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-Scene two_points() {
+Scene horizontal_pair() {
   TestSim sim;
   sim.join(sim.nail({-0.5, 0.0, 0.0}), sim.add({0.5, 0.0, 0.0}), 100.0, 1.0);
   return flat_scene("Two points", sim);
@@ -34,7 +34,7 @@ TEST(NewScenes, AreFlatOr3D) {
 }
 
 TEST(Dimensions, AFlatSceneBecomesSpatialAndFlatAgain) {
-  GuiFixture gui(two_points());
+  GuiFixture gui(horizontal_pair());
   gui.app().handle(Request(Edit{set_dimensions(3)}));
   gui.frames(2);
   EXPECT_EQ(gui.system().dimensions, 3);
@@ -52,7 +52,7 @@ TEST(Dimensions, AFlatSceneBecomesSpatialAndFlatAgain) {
 }
 
 TEST(Dimensions, AnythingOutOfThePlaneKeepsAScene3D) {
-  GuiFixture gui(two_points());
+  GuiFixture gui(horizontal_pair());
   gui.app().handle(Request(Edit{set_dimensions(3)}));
   gui.app().handle(Request(Edit{Move{{{gui.system().points()[1].id, {0.5, 0.0, 0.2}, Vec3(0.0)}}}}));
   gui.app().handle(Request(Edit{set_dimensions(2)}));
@@ -62,7 +62,7 @@ TEST(Dimensions, AnythingOutOfThePlaneKeepsAScene3D) {
 
 TEST(Dimensions, EachThingThatLeavesThePlaneIsNamed) {
   const auto reason = [](auto change) {
-    Scene scene = two_points();
+    Scene scene = horizontal_pair();
     scene.system.dimensions = 3;
     change(scene);
     return why_not_flat(scene.system, scene.state);
@@ -76,7 +76,7 @@ TEST(Dimensions, EachThingThatLeavesThePlaneIsNamed) {
 }
 
 TEST(AddMenu, AShapeThatNeedsSpaceOffersToMakeTheSceneSpatial) {
-  GuiFixture gui(two_points());
+  GuiFixture gui(horizontal_pair());
   Panels& panels = gui.app().panels();
   Requests requests;
   start_placement(find_shape_kind("curtain"), gui.app().panel_input({}), panels, requests);

@@ -7,7 +7,7 @@
 namespace hooke {
 namespace {
 
-Scene two_springs() {
+Scene unequal_springs() {
   TestSim sim;
   const PointId a = sim.nail({-0.5, 0.0, 0.0}), b = sim.add({0.0, 0.0, 0.0}), c = sim.add({0.5, 0.0, 0.0});
   sim.join(a, b, 100.0, 0.5);
@@ -16,7 +16,7 @@ Scene two_springs() {
 }
 
 TEST(AffectedParts, AreComputedOnceForAnyNumberOfFrames) {
-  GuiFixture gui(two_springs());
+  GuiFixture gui(unequal_springs());
   gui.key(letter('A'), {.control = true});
   for (const bool running : {false, true}) {
     if (running) gui.key(Key::Space);
@@ -33,7 +33,7 @@ TEST(AffectedParts, AreComputedOnceForAnyNumberOfFrames) {
 }
 
 TEST(AffectedParts, AreComputedOnceMoreAfterAnEditOrAnotherSelection) {
-  GuiFixture gui(two_springs());
+  GuiFixture gui(unequal_springs());
   const AffectedPartsCache& cache = gui.app().panels().side.affected_parts;
   const long before = cache.computations();
   gui.app().handle(Request(Edit{SetSpringProperty{SpringProperty::Stiffness, {{SpringId{0}, 200.0}}}}));
@@ -45,7 +45,7 @@ TEST(AffectedParts, AreComputedOnceMoreAfterAnEditOrAnotherSelection) {
 }
 
 TEST(AffectedParts, OfASelectionAreItsPointsAndTheSpringsBetweenThemAsTheyAreNow) {
-  GuiFixture gui(two_springs());
+  GuiFixture gui(unequal_springs());
   AffectedPartsCache cache;
   const auto stiffness_slider = static_cast<std::size_t>(&stiffness_parameter - parameters().data());
   const AffectedParts& all = cache.of(gui.status(), {});

@@ -12,11 +12,11 @@ namespace {
 // Passes with joined points: each joins at least two.
 constexpr int max_passes = 1000;
 
-// Distances on paths in a substep, for a surface of so many points: those that any usual motion takes, and at most, in half a second; and
-// beyond the former in a frame, in two seconds. A motion that diverges, so that each point crosses the whole scene in a substep, takes a
+// Distances on paths in a substep, for a surface of so many points: those that any usual motion takes, and at most, in a second; and beyond
+// the former in a frame, in some seconds. A motion that diverges, so that each point crosses the whole scene in a substep, takes a
 // thousand for each pair.
 long usual_distances(std::size_t points) { return 100 * static_cast<long>(points); }
-constexpr long max_distances = 2'000'000, max_excess = 8'000'000;
+constexpr long max_distances = 5'000'000, max_excess = 20'000'000;
 
 }  // namespace
 
