@@ -26,7 +26,7 @@ inline constexpr double max_turn = 0.25;
 inline constexpr double max_cost = 1000.0, max_cost_factor = 30.0;
 
 // [ms] For `max_cost_factor`, the frame before counts as at least this long. A displayed frame is still longer than the product.
-inline constexpr double short_frame = 0.2;
+inline constexpr double short_frame = 0.5;
 // [1] Cost of the runs of an estimate, relative to the last run: the one before has half of its substeps.
 inline constexpr double cost_of_estimate = 1.5;
 
