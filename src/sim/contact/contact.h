@@ -35,7 +35,7 @@ struct ContactWorkspace {
   std::vector<Vec3> push_out;        // [m], of each point, out of colliders in which it was before the substep
   Field without_push;                // [m], positions after the substep without that
   std::vector<Vec3> displaced;       // [m], of each point, by impacts
-  const PowerWork* works = nullptr;  // of the step, if the method sweeps over dashpots
+  const PowerWork* works = nullptr;  // work of the dashpots in this step; null: not integrated by sweeps
   PairSolver pairs;
   std::vector<TouchSimulation> alone;  // per thread: of points that touch no others
   SurfaceSolver surface;

@@ -30,8 +30,8 @@ inline constexpr double short_frame = 0.5;
 // [1] Cost of the runs of an estimate, relative to the last run: the one before has half of its substeps.
 inline constexpr double cost_of_estimate = 1.5;
 
-// [1] How much half the step is taken to reduce the error, at most. Methods of second order are in their asymptotic range at the tolerances
-// of an interactive program; those of higher order often are not, and count as they do.
+// [1] The largest factor by which half the step is assumed to reduce the error. Methods of second order are in their asymptotic range at the
+// tolerances of an interactive program; methods of higher order often are not, and are treated as of second order.
 inline constexpr double max_assumed_reduction = 4.0;
 // [1] Up to this order, the path of a step is nearly the parabola that contact assumes.
 inline constexpr int parabolic_order = 2;

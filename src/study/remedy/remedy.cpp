@@ -51,7 +51,8 @@ struct Goal {
   double seconds = 0.0, work = std::numeric_limits<double>::infinity();
 };
 
-// Of the work of a search: what a test that has reached its goal may take, and after which part of its work another one is judged.
+// Parts of the work of a search: the most that a test may take after it has reached its goal, and the work after which a test may be given
+// up.
 constexpr double max_share = 1.0 / 8.0, judged_after = 1.0 / 64.0;
 
 // Frame by frame, with the warnings and the monitor of `hooke run`.
@@ -167,8 +168,8 @@ std::vector<Advice> settings_of(const Integrator& method, const Scene& start, co
 }
 
 // The methods to try: the present one, those that are stable at any step without a nonlinear solve, which prove the others too expensive
-// soon, the default one, and those that choose their steps last; but first where no number of substeps resolves a passage. A fixed number
-// of iterations may leave stiff springs all but rigid: such a run is stable, and hardly moves.
+// soon, the default one, and those that choose their steps last; but first where no number of substeps resolves a passage. Not methods
+// with a fixed number of iterations: where they do not converge, a stiff cloth is stable but moves far too slowly.
 std::vector<const Integrator*> methods_to_try(const Settings& settings, const StepLimits& limits) {
   std::vector<const Integrator*> methods;
   for (const Integrator& method : integrators())
